@@ -1,0 +1,17 @@
+# weft_room(NAME DEPENDS rooms... LIBRARIES packages...): the library of the folder this is called
+# from. DEPENDS are rooms to its left (tests/include_rule holds the includes to the same order).
+function(weft_room NAME)
+    cmake_parse_arguments(ROOM "" "" "DEPENDS;LIBRARIES" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${NAME}/*.cpp)
+    set(target weft_${NAME})
+    if(sources)
+        add_library(${target} STATIC ${sources})
+        set(scope PUBLIC)
+    else()
+        add_library(${target} INTERFACE)
+        set(scope INTERFACE)
+    endif()
+    target_include_directories(${target} ${scope} ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
+    list(TRANSFORM ROOM_DEPENDS PREPEND weft_)
+    target_link_libraries(${target} ${scope} weft_compiler ${ROOM_DEPENDS} ${ROOM_LIBRARIES})
+endfunction()

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+#include "scene/params.h"
+
+#include <filesystem>
+#include <string>
+
+namespace weft {
+
+/// A mesh as the simulation wants it: welded, in metres, y up, in the file's own place.
+struct ImportedMesh {
+    TriangleMesh mesh;
+    /// uv of each triangle corner (texture units, not yet metres); empty when the file has none.
+    std::vector<std::array<Vec2, 3>> corner_uv;
+    std::size_t vertices_in_file = 0;  ///< as assimp gave them, split along seams and normals
+    std::size_t triangles_in_file = 0; ///< after triangulation, before repair
+    std::size_t triangles_removed = 0; ///< degenerate ones that `repair` dropped
+    std::vector<std::string> objects;  ///< the names that were taken, in the file's order
+    std::vector<std::string> warnings; ///< one line each, to be shown to the user
+};
+
+/// Reads a mesh file by assimp: node transforms applied, polygons triangulated, vertices welded by
+/// position, unit and up axis converted.
+///
+/// @param file      path as it can be opened
+/// @param source    object names, unit, up axis, repair; `source.file` names it in messages
+/// @param cloth     true: non-manifold edges are refused too
+/// Throws Error (BadInput) in one line naming file, object and element numbers when the file is
+/// missing, empty, truncated, has no triangles, indices out of range, coordinates that are not
+/// finite, or degenerate triangles without `repair`.
+ImportedMesh import_mesh(const std::filesystem::path& file, const MeshSource& source, bool cloth);
+
+} // namespace weft

@@ -1,0 +1,149 @@
+#pragma once
+
+#include "base/eigen.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+/// What the user can ask of each algorithm: plain values with default, unit and range. `problem()`
+/// of each returns what is wrong in words that name the key, the value and what is allowed, or "".
+namespace weft {
+
+inline constexpr double k_forever = std::numeric_limits<double>::infinity();
+
+enum class Integrator { Euler, Bdf2 };
+
+/// `[scene]`: time, integration, surroundings.
+struct SceneParams {
+    int frames = 100;  ///< written; frame n is t = (n-1)/fps; >= 1
+    double fps = 25.0; ///< 1/s, > 0
+    int substeps = 0;  ///< a frame; 0 = automatic; >= 0
+    Integrator integrator = Integrator::Euler;
+    int newton = 1;                 ///< iterations a substep; 1 = one linearisation; 1..100
+    double solver_tolerance = 1e-4; ///< residual of the linear solve relative to its right-hand
+                                    ///< side; larger: softer, noisier cloth; (0, 0.1]
+    Vec3 gravity{0.0, -9.81, 0.0};  ///< m/s^2
+    Vec3 wind{0.0, 0.0, 0.0};       ///< m/s
+    double air_density = 1.2;       ///< kg/m^3; 0 = no air
+};
+
+enum class StartOverlap { Error, Grow, Untangle };
+
+/// `[contact]`.
+struct ContactParams {
+    StartOverlap start_overlap = StartOverlap::Error;
+    bool self = true;    ///< cloth against itself and against other cloth
+    bool enabled = true; ///< false: nothing touches anything (for tests of the mechanics)
+};
+
+/// Placement in the world, applied in the order scale, rotate (about x, then y, then z), translate.
+struct Placement {
+    Vec3 translate{0.0, 0.0, 0.0};  ///< m
+    Vec3 rotate_deg{0.0, 0.0, 0.0}; ///< degrees
+    double scale = 1.0;             ///< > 0
+};
+
+/// Where a mesh comes from and how its file is to be read.
+struct MeshSource {
+    std::string file;                 ///< relative to the scene; empty: none
+    std::vector<std::string> objects; ///< nodes or meshes inside the file; empty: all
+    double metres_per_unit = 1.0;     ///< of the file; > 0
+    bool units_given = false;         ///< false: the file's own unit (FBX) or metres
+    char up = 'y';                    ///< 'y' or 'z' in the file
+    bool repair = false;              ///< drop degenerate triangles instead of refusing them
+};
+
+/// `[cloth.fabric]`: one material. Direction 1 is weft (u), direction 2 is warp (v).
+struct FabricParams {
+    std::string name = "custom";
+    double area_density = 0.15;             ///< key `density`, kg/m^2, > 0
+    Vec2 stretch_stiffness{1000.0, 1000.0}; ///< key `stretch`: weft, warp; N/m, > 0
+    double shear_stiffness = 400.0;         ///< key `shear`, N/m, > 0
+    double poisson = 0.3;                   ///< sqrt(nu12 nu21), [0, 1)
+    double bend_stiffness = 1.0e-5;         ///< key `bend`: rigidity, N m, >= 0
+    double thickness = 1.0e-3;              ///< of contact, m, > 0
+    double friction = 0.3;                  ///< Coulomb, >= 0
+    Vec2 damping{0.0, 0.0};                 ///< Rayleigh: mass 1/s, stiffness s; >= 0
+    Vec2 working_range{0.9, 1.2};           ///< key `range`: stretch, for the colour map
+};
+
+enum class BendModel { Quadratic, MidEdge };
+
+/// One `[[cloth.pin]]`: which vertices are held, how they move, how long.
+struct PinParams {
+    std::vector<Index> vertices; ///< of the imported mesh, after welding
+    bool has_box = false;
+    Vec3 box_min{0.0, 0.0, 0.0}; ///< m, world, at t = 0
+    Vec3 box_max{0.0, 0.0, 0.0};
+    bool corners = false;     ///< the corners of the rest shape's boundary
+    int loop = -1;            ///< boundary loop: 0 = longest ...; -1 = none
+    std::string loop_side;    ///< or "top", "bottom": the loop that lies highest, lowest
+    double until = k_forever; ///< s
+    std::vector<std::array<double, 4>> move; ///< key frames t, x, y, z (s, m): offset
+    std::string to;                          ///< obstacle to follow; empty: none
+};
+
+enum class RestShape { Mesh, Uv };
+
+/// `[[cloth]]`.
+struct ClothParams {
+    std::string name;
+    MeshSource mesh;          ///< file empty: the grid
+    Vec2 grid_size{1.0, 1.0}; ///< m; x, z; centred
+    std::array<int, 2> grid_cells{32, 32};
+    Placement placement;
+    Vec3 velocity{0.0, 0.0, 0.0}; ///< at the start, m/s
+    FabricParams fabric;
+    BendModel bend_model = BendModel::MidEdge;
+    RestShape rest = RestShape::Mesh;
+    double uv_scale = 1.0;  ///< metres per unit of uv, > 0
+    double grain_deg = 0.0; ///< turns weft and warp in the rest shape, counter-clockwise
+    double pressure = 0.0;  ///< inside closed cloth, Pa
+    int layer = 0;          ///< higher is outside
+    std::vector<PinParams> pins;
+};
+
+enum class Shape { Mesh, Sphere, Box, Plane };
+
+/// A pose at a time, as an offset from the placement: translate after rotate about the own origin.
+struct PoseKey {
+    double t = 0.0;                 ///< s
+    Vec3 translate{0.0, 0.0, 0.0};  ///< m
+    Vec3 rotate_deg{0.0, 0.0, 0.0}; ///< about x, then y, then z
+};
+
+/// `[[obstacle]]`.
+struct ObstacleParams {
+    std::string name;
+    Shape shape = Shape::Mesh;
+    MeshSource mesh;
+    double radius = 0.1;      ///< sphere, m, > 0
+    Vec3 size{1.0, 1.0, 1.0}; ///< box: edge lengths; plane: x and z extent; m, > 0
+    Placement placement;
+    double friction = 0.3;
+    std::vector<PoseKey> motion; ///< by ascending t; empty: static
+};
+
+struct CameraParams {
+    Vec3 eye{0.0, 1.0, 3.0};
+    Vec3 target{0.0, 0.0, 0.0};
+    double fov_deg = 35.0; ///< vertical, (0, 170)
+};
+
+/// `[render]`.
+struct RenderParams {
+    std::array<int, 2> size{1280, 720}; ///< pixels
+    std::string quantity = "stretch";   ///< see frames/frame.h, k_quantities
+    std::string map = "coolwarm";
+    bool has_range = false;
+    Vec2 range{0.9, 1.2}; ///< in the quantity's unit
+    bool edges = true;
+    bool legend = true;
+    bool has_camera = false;
+    CameraParams camera;
+    int supersample = 2; ///< per axis, on top of 4 samples a pixel; 1..4
+    bool enabled = true; ///< false: a simulation writes no pictures
+};
+
+} // namespace weft

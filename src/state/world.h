@@ -1,0 +1,54 @@
+#pragma once
+
+#include "scene/scene.h"
+#include "state/cloth.h"
+#include "state/obstacle.h"
+#include "state/pin.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace weft {
+
+/// Everything that changes in time, and what the next substep depends on: two Worlds with the same
+/// content continue to the same bits. The vertices of all deformables stand in the arrays one
+/// object after the other.
+struct World {
+    double time = 0.0; ///< s
+    int frame = 1;     ///< the frame that the state stands at: frame n is t = (n-1)/fps
+
+    std::vector<Vec3> positions;  ///< #V, m
+    std::vector<Vec3> velocities; ///< #V, m/s
+    std::vector<double> masses;   ///< #V, kg, > 0
+
+    /// State one substep ago for BDF2; valid for vertex i while history_dt > 0 and its entry is
+    /// finite.
+    std::vector<Vec3> previous_positions;  ///< #V
+    std::vector<Vec3> previous_velocities; ///< #V
+    double history_dt = 0.0;               ///< s, length of the last substep; 0 = no history
+
+    std::vector<Cloth> cloths;
+    std::vector<Obstacle> obstacles;
+    std::vector<Pin> pins; ///< by ascending vertex, each vertex once
+    std::vector<PinGroup> pin_groups;
+
+    std::size_t vertex_count() const { return positions.size(); }
+    std::size_t triangle_count() const;
+    std::span<const Vec3> positions_of(const Cloth& cloth) const;
+    std::span<const Vec3> velocities_of(const Cloth& cloth) const;
+};
+
+/// What is wrong with a world (sizes, indices, values not finite), or "". For asserts and tests.
+std::string check(const World& world);
+
+/// FNV-1a of time, positions, velocities and history: equal for equal states.
+std::uint64_t state_hash(const World& world);
+
+/// Loads meshes, builds rest shapes, masses, obstacles and pins. `warn` receives one line each.
+/// Throws Error (BadInput) naming the object and key.
+World build_world(const Scene& scene, const std::function<void(const std::string&)>& warn);
+
+} // namespace weft

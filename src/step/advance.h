@@ -1,0 +1,53 @@
+#pragma once
+
+#include "collide/contact.h"
+#include "state/world.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace weft {
+
+/// Wall time of each stage, s.
+struct StageSeconds {
+    double forces = 0.0;   ///< element forces and stiffness
+    double assembly = 0.0; ///< into the matrix
+    double solve = 0.0;
+    double contact_broad = 0.0, contact_proximity = 0.0, contact_impact = 0.0;
+    double adapt = 0.0;
+};
+
+/// What happened between two frames.
+struct FrameReport {
+    int substeps = 0;
+    int retries = 0; ///< substeps thrown away and done again with half the length
+    int cg_iterations = 0;
+    double residual = 0.0; ///< greatest relative residual of a linear solve
+    int refined = 0, coarsened = 0;
+    ContactReport
+        contact; ///< counts: greatest over the substeps; unresolved: at the end; gap: least
+    StageSeconds seconds;
+};
+
+/// Advances a world in time. Keeps matrices and trees between calls; the results depend on the
+/// world and the parameters alone.
+class Stepper {
+public:
+    Stepper(const World& world, const SceneParams& scene, const ContactParams& contact);
+    ~Stepper();
+    Stepper(Stepper&&) noexcept;
+
+    /// From the world's frame to the next one. Throws Error (Diverged) when a substep fails at the
+    /// floor of its length; the world then stands at its last good substep.
+    /// @param should_stop asked between substeps; true makes it return early, with the world back
+    ///                    at the frame it started from, and nullopt
+    std::optional<FrameReport> advance_frame(World& world,
+                                             const std::function<bool()>& should_stop);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace weft
