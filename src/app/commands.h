@@ -2,10 +2,18 @@
 
 #include "base/error.h"
 
+namespace CLI {
+class App;
+}
+
 namespace weft {
 
 /// Parses the command line, runs the command that it names, and turns an exception into one line on
 /// stderr and an exit code.
 int run_command_line(int argc, const char* const* argv);
+
+/// Each verb adds its subcommand; its callback runs after the whole line is parsed, sets `code`
+/// when that is not Done, and throws Error for everything that goes wrong. One file a verb. (A new
+/// verb: declare it here, call it in commands.cpp.)
 
 } // namespace weft
