@@ -1,0 +1,98 @@
+#include "state/build_cloth.h"
+
+#include "base/error.h"
+#include "geometry/mixed_areas.h"
+#include "scene/mesh_import.h"
+#include "state/rest_shape.h"
+#include "state/shapes.h"
+
+namespace weft {
+
+namespace {
+
+/// A uv that is not in metres shows as a rest area far from the mesh's own.
+constexpr double k_suspicious_area_ratio = 4.0;
+
+ImportedMesh make_grid(const ClothParams& params) {
+    ImportedMesh grid;
+    grid.mesh = grid_mesh(params.grid_size, params.grid_cells);
+    const Vec2 half = 0.5 * params.grid_size;
+    for (const Triangle& t : grid.mesh.triangles) {
+        auto& uv = grid.corner_uv.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3& x = grid.mesh.positions[static_cast<std::size_t>(t[k])];
+            uv[k] = Vec2(x.x() + half.x(), half.y() - x.z());
+        }
+    }
+    return grid;
+}
+
+ImportedMesh load(const ClothParams& params, const std::filesystem::path& base_dir) {
+    return params.mesh.file.empty() ? make_grid(params)
+                                    : import_mesh(base_dir / params.mesh.file, params.mesh, true);
+}
+
+/// Mixed Voronoi areas of the rest shape at the vertices (Meyer et al. 2002), m^2.
+std::vector<double> vertex_rest_areas(const Cloth& cloth) {
+    std::vector<double> areas(static_cast<std::size_t>(cloth.vertex_count), 0.0);
+    for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
+        const auto share = mixed_corner_areas(rest_corners(cloth.rest[t]));
+        for (std::size_t k = 0; k < 3; ++k) {
+            areas[static_cast<std::size_t>(cloth.triangles[t][k])] += share[k];
+        }
+    }
+    return areas;
+}
+
+void warn_of_uv_units(const Cloth& cloth,
+                      std::span<const Vec3> positions,
+                      const std::function<void(const std::string&)>& warn) {
+    double area = 0.0;
+    for (const Triangle& t : cloth.triangles) {
+        const auto at = [&](std::size_t k) { return positions[static_cast<std::size_t>(t[k])]; };
+        area += triangle_area(at(0), at(1), at(2));
+    }
+    const double ratio = rest_area(cloth) / area;
+    if (ratio > k_suspicious_area_ratio || ratio < 1.0 / k_suspicious_area_ratio) {
+        warn(fmt::format("cloth '{}': its uv pattern has {:.3g} times the area of its mesh; "
+                         "uv_scale = {:.4g} would make them equal",
+                         cloth.name, ratio, cloth.params.uv_scale / std::sqrt(ratio)));
+    }
+}
+
+} // namespace
+
+void append_cloth(World& world,
+                  const ClothParams& params,
+                  const std::filesystem::path& base_dir,
+                  const std::function<void(const std::string&)>& warn) {
+    const ImportedMesh imported = load(params, base_dir);
+    for (const std::string& line : imported.warnings) {
+        warn(fmt::format("cloth '{}': {}", params.name, line));
+    }
+    Cloth cloth;
+    cloth.name = params.name;
+    cloth.params = params;
+    cloth.first_vertex = static_cast<Index>(world.positions.size());
+    cloth.vertex_count = static_cast<Index>(imported.mesh.positions.size());
+    cloth.triangles = imported.mesh.triangles;
+    cloth.topology = build_edges(cloth.triangles);
+
+    std::vector<Vec3> positions = imported.mesh.positions;
+    for (Vec3& x : positions) {
+        x *= params.placement.scale; // the rest shape is scaled; turning it would turn the grain
+    }
+    build_rest_shape(cloth, positions, imported.corner_uv);
+    cloth.rest_areas = vertex_rest_areas(cloth);
+    if (params.rest == RestShape::Uv) {
+        warn_of_uv_units(cloth, positions, warn);
+    }
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        world.positions.push_back(place(params.placement, imported.mesh.positions[i]));
+        world.velocities.push_back(params.velocity);
+        world.masses.push_back(params.fabric.area_density * cloth.rest_areas[i]);
+    }
+    world.cloths.push_back(std::move(cloth));
+}
+
+} // namespace weft

@@ -1,0 +1,169 @@
+#include "state/build_pins.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <numbers>
+#include <numeric>
+
+namespace weft {
+
+namespace {
+
+/// A boundary vertex whose rest angle is below this is a corner.
+constexpr double k_corner_angle = 130.0 * std::numbers::pi / 180.0;
+
+std::vector<Index> find_corners(const Cloth& cloth) {
+    const auto count = static_cast<std::size_t>(cloth.vertex_count);
+    std::vector<double> angle(count, 0.0);
+    for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
+        const auto m = rest_corners(cloth.rest[t]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec2 a = m[(k + 1) % 3] - m[k];
+            const Vec2 b = m[(k + 2) % 3] - m[k];
+            angle[static_cast<std::size_t>(cloth.triangles[t][k])] +=
+                std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
+        }
+    }
+    std::vector<Index> corners;
+    for (const auto& loop : boundary_loops(cloth.topology)) {
+        for (const Index v : loop) {
+            if (angle[static_cast<std::size_t>(v)] < k_corner_angle) {
+                corners.push_back(v);
+            }
+        }
+    }
+    return corners;
+}
+
+double mean_height(const std::vector<Index>& loop, std::span<const Vec3> positions) {
+    double sum = 0.0;
+    for (const Index v : loop) {
+        sum += positions[static_cast<std::size_t>(v)].y();
+    }
+    return sum / static_cast<double>(loop.size());
+}
+
+double loop_length(const std::vector<Index>& loop, std::span<const Vec3> positions) {
+    double length = 0.0;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        length += (positions[static_cast<std::size_t>(loop[(i + 1) % loop.size()])] -
+                   positions[static_cast<std::size_t>(loop[i])])
+                      .norm();
+    }
+    return length;
+}
+
+std::vector<Index> find_loop(const Cloth& cloth,
+                             const PinParams& pin,
+                             const std::string& place,
+                             std::span<const Vec3> positions) {
+    auto loops = boundary_loops(cloth.topology);
+    if (loops.empty()) {
+        fail_input("{}.loop: the cloth is closed, it has no boundary loop", place);
+    }
+    const auto order_by = [&](const auto& key) {
+        std::stable_sort(loops.begin(), loops.end(),
+                         [&](const auto& a, const auto& b) { return key(a) > key(b); });
+    };
+    if (!pin.loop_side.empty()) {
+        order_by([&](const auto& loop) { return mean_height(loop, positions); });
+        return pin.loop_side == "top" ? loops.front() : loops.back();
+    }
+    order_by([&](const auto& loop) { return loop_length(loop, positions); });
+    if (pin.loop >= static_cast<int>(loops.size())) {
+        fail_input("{}.loop = {}: must be 0 to {} (longest first)", place, pin.loop,
+                   loops.size() - 1);
+    }
+    return loops[static_cast<std::size_t>(pin.loop)];
+}
+
+Index find_obstacle(const World& world, const std::string& name, const std::string& place) {
+    for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
+        if (world.obstacles[i].name == name) {
+            return static_cast<Index>(i);
+        }
+    }
+    fail_input("{}.to = \"{}\": no obstacle has this name", place, name);
+}
+
+std::string pin_place(const Cloth& cloth, std::size_t pin_number) {
+    return fmt::format("cloth '{}': pin[{}]", cloth.name, pin_number);
+}
+
+} // namespace
+
+std::vector<Index> select_pinned(const Cloth& cloth,
+                                 const PinParams& pin,
+                                 std::size_t pin_number,
+                                 std::span<const Vec3> positions) {
+    const std::string place = pin_place(cloth, pin_number);
+    std::vector<Index> selected;
+    for (const Index v : pin.vertices) {
+        if (v < 0 || v >= cloth.vertex_count) {
+            fail_input("{}.vertices: {}: must be 0 to {} (vertices after welding)", place, v,
+                       cloth.vertex_count - 1);
+        }
+        selected.push_back(v);
+    }
+    if (pin.has_box) {
+        for (Index v = 0; v < cloth.vertex_count; ++v) {
+            const Vec3& x = positions[static_cast<std::size_t>(v)];
+            if ((x.array() >= pin.box_min.array()).all() &&
+                (x.array() <= pin.box_max.array()).all()) {
+                selected.push_back(v);
+            }
+        }
+    }
+    if (pin.corners) {
+        const auto corners = find_corners(cloth);
+        selected.insert(selected.end(), corners.begin(), corners.end());
+    }
+    if (pin.loop >= 0 || !pin.loop_side.empty()) {
+        const auto loop = find_loop(cloth, pin, place, positions);
+        selected.insert(selected.end(), loop.begin(), loop.end());
+    }
+    std::sort(selected.begin(), selected.end());
+    selected.erase(std::unique(selected.begin(), selected.end()), selected.end());
+    if (selected.empty()) {
+        fail_input("{}: selects no vertex; must select at least one (vertices, box, corners, loop)",
+                   place);
+    }
+    return selected;
+}
+
+void build_pins(World& world) {
+    for (const Cloth& cloth : world.cloths) {
+        const auto positions = world.positions_of(cloth);
+        for (std::size_t number = 0; number < cloth.params.pins.size(); ++number) {
+            const PinParams& params = cloth.params.pins[number];
+            const auto selected = select_pinned(cloth, params, number, positions);
+            const auto group = static_cast<Index>(world.pin_groups.size());
+            world.pin_groups.push_back({params.move, params.until});
+            const std::size_t first = world.pins.size();
+            for (const Index v : selected) {
+                const Vec3& x = positions[static_cast<std::size_t>(v)];
+                world.pins.push_back({cloth.first_vertex + v, x, {}, group});
+            }
+            if (!params.to.empty()) {
+                const Index obstacle = find_obstacle(world, params.to, pin_place(cloth, number));
+                parallel_for(
+                    selected.size(),
+                    [&](std::size_t i) {
+                        Pin& pin = world.pins[first + i];
+                        pin.anchor = anchor_to(world.obstacles[static_cast<std::size_t>(obstacle)],
+                                               obstacle, pin.start);
+                    },
+                    1);
+            }
+        }
+    }
+    const auto by_vertex = [](const Pin& a, const Pin& b) { return a.vertex < b.vertex; };
+    const auto same_vertex = [](const Pin& a, const Pin& b) { return a.vertex == b.vertex; };
+    std::stable_sort(world.pins.begin(), world.pins.end(), by_vertex);
+    world.pins.erase(std::unique(world.pins.begin(), world.pins.end(), same_vertex),
+                     world.pins.end());
+}
+
+} // namespace weft

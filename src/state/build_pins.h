@@ -1,0 +1,19 @@
+#pragma once
+
+#include "state/world.h"
+
+namespace weft {
+
+/// Vertices (of the cloth alone, ascending) that a `[[cloth.pin]]` selects at the start.
+/// Throws Error (BadInput) naming cloth, pin and value when an index or loop does not exist, or
+/// when nothing is selected.
+std::vector<Index> select_pinned(const Cloth& cloth,
+                                 const PinParams& pin,
+                                 std::size_t pin_number,
+                                 std::span<const Vec3> positions);
+
+/// Adds the pins of all cloths to world.pins and world.pin_groups. Where two pins select the same
+/// vertex the first holds it.
+void build_pins(World& world);
+
+} // namespace weft

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "base/eigen.h"
+
+#include <span>
+#include <vector>
+
+namespace weft {
+
+/// Symmetric matrix of 3x3 blocks in compressed rows; both triangles are stored, so that a product
+/// runs over rows independently. Columns ascend within a row and every row has its diagonal block.
+struct BlockMatrix {
+    std::vector<Index> row_begin; ///< #rows + 1, into column and blocks
+    std::vector<Index> column;
+    std::vector<Index> diagonal; ///< #rows, place of the diagonal block
+    std::vector<Mat3> blocks;
+
+    std::size_t rows() const { return diagonal.size(); }
+};
+
+/// An entry of a symmetric pattern.
+struct BlockEntry {
+    Index row, column;
+};
+
+/// A matrix with zero blocks at `entries` (any order, repeats allowed), at their transposes and on
+/// the diagonal.
+BlockMatrix make_pattern(std::size_t rows, std::span<const BlockEntry> entries);
+
+/// Place of block (row, column) in matrix.blocks, or k_no_index.
+Index find_block(const BlockMatrix& matrix, Index row, Index column);
+
+/// y = A x.
+void multiply(const BlockMatrix& matrix, std::span<const Vec3> x, std::span<Vec3> y);
+
+/// Order of the rows in which neighbours stand close together: breadth first from a far row,
+/// reversed (Cuthill and McKee 1969). Returns new_of_old.
+std::vector<Index> locality_order(const BlockMatrix& pattern);
+
+} // namespace weft
