@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <span>
-#include <type_traits>
 
 namespace weft {
 
@@ -10,7 +9,7 @@ namespace weft {
 class Hash {
 public:
     template <typename T> void add(std::span<const T> values) {
-        static_assert(std::is_trivially_destructible_v<T>);
+        
         add_bytes(reinterpret_cast<const unsigned char*>(values.data()), values.size_bytes());
     }
     void add_bytes(const unsigned char* bytes, std::size_t count) {
