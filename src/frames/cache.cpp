@@ -1,0 +1,109 @@
+#include "frames/cache.h"
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "frames/ply.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace weft {
+
+namespace {
+
+/// The frame number in "NAME.0012.ply", or 0.
+int frame_number(const std::string& file, const std::string& name) {
+    const std::string_view rest(file);
+    if (!rest.starts_with(name + ".") || !rest.ends_with(".ply") ||
+        rest.size() <= name.size() + 5) {
+        return 0;
+    }
+    const std::string_view digits = rest.substr(name.size() + 1, rest.size() - name.size() - 5);
+    int number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    return error == std::errc() && end == digits.data() + digits.size() ? number : 0;
+}
+
+std::vector<int> frames_of(const RunPaths& paths, const std::string& name) {
+    std::vector<int> numbers;
+    std::error_code ignored; // no folder: no frames
+    for (const auto& entry : std::filesystem::directory_iterator(paths.cache_dir(), ignored)) {
+        if (const int number = frame_number(entry.path().filename().string(), name)) {
+            numbers.push_back(number);
+        }
+    }
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+}
+
+} // namespace
+
+double frame_time(int frame, double fps) {
+    return (frame - 1) / fps;
+}
+
+void write_obstacles(const RunPaths& paths, const std::vector<RigidShape>& obstacles) {
+    for (const RigidShape& rigid : obstacles) {
+        write_atomically(paths.obstacle(rigid.shape.name),
+                         encode_ply(rigid.shape, "weft: an obstacle in its own frame, m; its "
+                                                 "motion is in scene.resolved.toml"));
+    }
+}
+
+void write_cache(const RunPaths& paths, const Frame& frame) {
+    for (const FrameObject& object : frame.objects) {
+        if (object.kind == ObjectKind::Cloth) {
+            write_atomically(paths.cloth(object.name, frame.number),
+                             encode_ply(object, fmt::format("weft: frame {}, time {} s; u v is the "
+                                                            "rest position, m",
+                                                            frame.number, frame.time)));
+        }
+    }
+}
+
+CachedRun::CachedRun(const std::filesystem::path& folder, const Scene& scene)
+    : paths_{folder}, fps_(scene.scene.fps) {
+    for (const ClothParams& cloth : scene.cloths) {
+        cloths_.push_back(cloth.name);
+        fabrics_.push_back(cloth.fabric.name);
+    }
+    for (const ObstacleParams& obstacle : scene.obstacles) {
+        const auto file = paths_.obstacle(obstacle.name);
+        obstacles_.push_back({.shape = decode_ply(read_file(file), file.string()),
+                              .origin = obstacle.placement.translate,
+                              .motion = obstacle.motion});
+        obstacles_.back().shape.name = obstacle.name;
+    }
+}
+
+std::vector<int> CachedRun::frames() const {
+    std::vector<int> common;
+    for (std::size_t c = 0; c < cloths_.size(); ++c) {
+        const std::vector<int> numbers = frames_of(paths_, cloths_[c]);
+        std::vector<int> both;
+        std::set_intersection(common.begin(), common.end(), numbers.begin(), numbers.end(),
+                              std::back_inserter(both));
+        common = c == 0 ? numbers : both;
+    }
+    return common;
+}
+
+Frame CachedRun::read(int number) const {
+    Frame frame{.number = number, .time = frame_time(number, fps_), .objects = {}};
+    for (std::size_t c = 0; c < cloths_.size(); ++c) {
+        const auto file = paths_.cloth(cloths_[c], number);
+        FrameObject object = decode_ply(read_file(file), file.string());
+        if (object.kind != ObjectKind::Cloth) {
+            fail_disk("{}: no 'u' and 'v': not a cloth that weft wrote", file.string());
+        }
+        object.name = cloths_[c];
+        object.fabric = fabrics_[c];
+        frame.objects.push_back(std::move(object));
+    }
+    for (const RigidShape& obstacle : obstacles_) {
+        frame.objects.push_back(pose_shape(obstacle, frame.time));
+    }
+    return frame;
+}
+
+} // namespace weft

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "frames/rigid_shape.h"
+#include "frames/run_paths.h"
+#include "scene/scene.h"
+
+#include <vector>
+
+namespace weft {
+
+/// Writes the obstacles of a run, once, each in its own frame.
+void write_obstacles(const RunPaths& paths, const std::vector<RigidShape>& obstacles);
+
+/// Writes one PLY for each cloth of the frame.
+void write_cache(const RunPaths& paths, const Frame& frame);
+
+/// A run read from its cache alone: gives the frames that the simulation wrote, to the same bits,
+/// without simulating. Safe while the run goes on.
+class CachedRun {
+public:
+    /// @param folder of the run
+    /// @param scene  what its scene.resolved.toml holds: names, fabrics, motions, fps
+    /// Throws Error (Disk) in one line when an obstacle's file is missing or damaged.
+    CachedRun(const std::filesystem::path& folder, const Scene& scene);
+
+    /// Numbers of the frames in the cache that have a file for every cloth, ascending.
+    std::vector<int> frames() const;
+
+    /// Frame `number`: cloths, then obstacles, in the scene's order.
+    /// Throws Error (Disk) in one line when a file is missing or damaged.
+    Frame read(int number) const;
+
+private:
+    RunPaths paths_;
+    double fps_;
+    std::vector<std::string> cloths_, fabrics_;
+    std::vector<RigidShape> obstacles_;
+};
+
+/// Time of frame n, s: the first is 0.
+double frame_time(int frame, double fps);
+
+} // namespace weft
