@@ -46,12 +46,13 @@ struct Placement {
 
 /// Where a mesh comes from and how its file is to be read.
 struct MeshSource {
-    std::string file;                 ///< relative to the scene; empty: none
-    std::vector<std::string> objects; ///< nodes or meshes inside the file; empty: all
-    double metres_per_unit = 1.0;     ///< of the file; > 0
-    bool units_given = false;         ///< false: the file's own unit (FBX) or metres
-    char up = 'y';                    ///< 'y' or 'z' in the file
-    bool repair = false;              ///< drop degenerate triangles instead of refusing them
+    std::string file{};                 ///< relative to the scene; empty: none
+    std::vector<std::string> objects{}; ///< nodes or meshes inside the file; empty: all
+    double metres_per_unit = 1.0;       ///< of the file; > 0
+    bool units_given = false;           ///< false: the file's own unit (FBX) or metres
+    char up = 'y';                      ///< 'y' or 'z' in the file
+    bool up_given = false;              ///< false: the file's own axes (FBX, ...) or 'y'
+    bool repair = false;                ///< drop degenerate triangles instead of refusing them
 };
 
 /// `[cloth.fabric]`: one material. Direction 1 is weft (u), direction 2 is warp (v).
