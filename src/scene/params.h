@@ -2,6 +2,7 @@
 
 #include "base/eigen.h"
 
+#include <array>
 #include <limits>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ struct SceneParams {
     Vec3 gravity{0.0, -9.81, 0.0};  ///< m/s^2
     Vec3 wind{0.0, 0.0, 0.0};       ///< m/s
     double air_density = 1.2;       ///< kg/m^3; 0 = no air
+    bool operator==(const SceneParams&) const = default;
 };
 
 enum class StartOverlap { Error, Grow, Untangle };
@@ -35,6 +37,7 @@ struct ContactParams {
     StartOverlap start_overlap = StartOverlap::Error;
     bool self = true;    ///< cloth against itself and against other cloth
     bool enabled = true; ///< false: nothing touches anything (for tests of the mechanics)
+    bool operator==(const ContactParams&) const = default;
 };
 
 /// Placement in the world, applied in the order scale, rotate (about x, then y, then z), translate.
@@ -42,6 +45,7 @@ struct Placement {
     Vec3 translate{0.0, 0.0, 0.0};  ///< m
     Vec3 rotate_deg{0.0, 0.0, 0.0}; ///< degrees
     double scale = 1.0;             ///< > 0
+    bool operator==(const Placement&) const = default;
 };
 
 /// Where a mesh comes from and how its file is to be read.
@@ -53,6 +57,7 @@ struct MeshSource {
     char up = 'y';                      ///< 'y' or 'z' in the file
     bool up_given = false;              ///< false: the file's own axes (FBX, ...) or 'y'
     bool repair = false;                ///< drop degenerate triangles instead of refusing them
+    bool operator==(const MeshSource&) const = default;
 };
 
 /// `[cloth.fabric]`: one material. Direction 1 is weft (u), direction 2 is warp (v).
@@ -67,6 +72,7 @@ struct FabricParams {
     double friction = 0.3;                  ///< Coulomb, >= 0
     Vec2 damping{0.0, 0.0};                 ///< Rayleigh: mass 1/s, stiffness s; >= 0
     Vec2 working_range{0.9, 1.2};           ///< key `range`: stretch, for the colour map
+    bool operator==(const FabricParams&) const = default;
 };
 
 enum class BendModel { Quadratic, MidEdge };
@@ -83,6 +89,7 @@ struct PinParams {
     double until = k_forever; ///< s
     std::vector<std::array<double, 4>> move; ///< key frames t, x, y, z (s, m): offset
     std::string to;                          ///< obstacle to follow; empty: none
+    bool operator==(const PinParams&) const = default;
 };
 
 enum class RestShape { Mesh, Uv };
@@ -103,6 +110,7 @@ struct ClothParams {
     double pressure = 0.0;  ///< inside closed cloth, Pa
     int layer = 0;          ///< higher is outside
     std::vector<PinParams> pins;
+    bool operator==(const ClothParams&) const = default;
 };
 
 enum class Shape { Mesh, Sphere, Box, Plane };
@@ -112,6 +120,7 @@ struct PoseKey {
     double t = 0.0;                 ///< s
     Vec3 translate{0.0, 0.0, 0.0};  ///< m
     Vec3 rotate_deg{0.0, 0.0, 0.0}; ///< about x, then y, then z
+    bool operator==(const PoseKey&) const = default;
 };
 
 /// `[[obstacle]]`.
@@ -124,12 +133,14 @@ struct ObstacleParams {
     Placement placement;
     double friction = 0.3;
     std::vector<PoseKey> motion; ///< by ascending t; empty: static
+    bool operator==(const ObstacleParams&) const = default;
 };
 
 struct CameraParams {
     Vec3 eye{0.0, 1.0, 3.0};
     Vec3 target{0.0, 0.0, 0.0};
     double fov_deg = 35.0; ///< vertical, (0, 170)
+    bool operator==(const CameraParams&) const = default;
 };
 
 /// `[render]`.
@@ -145,6 +156,18 @@ struct RenderParams {
     CameraParams camera;
     int supersample = 2; ///< per axis, on top of 4 samples a pixel; 1..4
     bool enabled = true; ///< false: a simulation writes no pictures
+    bool operator==(const RenderParams&) const = default;
 };
+
+/// What is wrong, as `key = value: what is allowed` with the key as in the scene file, or "". Each
+/// looks at its own keys; what hangs below (fabric, pins) is asked on its own.
+std::string problem(const SceneParams& params);
+std::string problem(const Placement& params);
+std::string problem(const MeshSource& params);
+std::string problem(const FabricParams& params);
+std::string problem(const PinParams& params);
+std::string problem(const ClothParams& params);
+std::string problem(const ObstacleParams& params);
+std::string problem(const RenderParams& params);
 
 } // namespace weft

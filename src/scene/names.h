@@ -1,0 +1,21 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace weft {
+
+/// Words that the scene file knows and that rooms to the right give their meaning
+/// (frames/frame.h: k_quantities; render: colour maps). Tests hold both sides together.
+inline constexpr std::array<std::string_view, 7> k_quantity_names{
+    "stretch", "strain_weft", "strain_warp", "shear", "stress", "curvature", "speed"};
+inline constexpr std::array<std::string_view, 5> k_map_names{"seed", "coolwarm", "viridis", "turbo",
+                                                             "cividis"};
+
+template <std::size_t N>
+constexpr bool is_one_of(const std::array<std::string_view, N>& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+} // namespace weft
