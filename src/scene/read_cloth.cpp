@@ -1,0 +1,81 @@
+#include "scene/read_parts.h"
+
+namespace weft {
+namespace {
+
+void read_grid(TomlTable& cloth, ClothParams& params) {
+    if (!cloth.has("grid")) {
+        return;
+    }
+    TomlTable grid = cloth.table("grid");
+    grid.read("size", params.grid_size);
+    grid.read("cells", params.grid_cells);
+    grid.finish();
+}
+
+/// `[cloth.adapt]`: the keys are known, but only "off" has a meaning yet.
+void read_adapt(TomlTable& cloth) {
+    if (!cloth.has("adapt")) {
+        return;
+    }
+    TomlTable adapt = cloth.table("adapt");
+    int levels = 0;
+    double curvature = 0.0;
+    int max_triangles = 0;
+    adapt.read("levels", levels);
+    adapt.read("curvature", curvature);
+    adapt.read("max_triangles", max_triangles);
+    adapt.finish();
+    if (levels != 0) {
+        adapt.fail("levels", "not there yet; must be 0 (off)");
+    }
+}
+
+void read_model(TomlTable& cloth) {
+    int model = 0;
+    cloth.read_choice("model", model, {{"corotational", 0}},
+                      {"cubic", "linear", "stvk_edge", "stvk_triangle"});
+}
+
+void read_mechanics(TomlTable& table, ClothParams& params) {
+    read_model(table);
+    table.refuse_later("spring");
+    read_adapt(table);
+    table.read_choice("bending", params.bend_model,
+                      {{"quadratic", BendModel::Quadratic}, {"mid_edge", BendModel::MidEdge}});
+    table.read_choice("rest", params.rest, {{"mesh", RestShape::Mesh}, {"uv", RestShape::Uv}});
+    table.read("uv_scale", params.uv_scale);
+    table.read("grain_deg", params.grain_deg);
+    table.read("pressure", params.pressure);
+    table.read("layer", params.layer);
+    table.read("velocity", params.velocity);
+}
+
+} // namespace
+
+ClothParams read_cloth(TomlTable table,
+                       const std::filesystem::path& base_dir,
+                       const std::vector<std::string>& obstacles) {
+    ClothParams params;
+    params.name = read_name(table);
+    const bool has_grid = table.has("grid");
+    read_grid(table, params);
+    read_mesh_source(table, params.mesh);
+    read_placement(table, params.placement);
+    read_mechanics(table, params);
+    read_fabric(table, base_dir, params.fabric);
+    for (const TomlTable& pin : table.tables("pin")) {
+        params.pins.push_back(read_pin(pin, obstacles));
+    }
+    table.finish();
+    table.refuse(problem(params));
+    if (params.name.empty()) {
+        table.fail("needs name");
+    }
+    if (has_grid == !params.mesh.file.empty()) {
+        table.fail(has_grid ? "has mesh and grid: must be one of them" : "needs mesh or grid");
+    }
+    return params;
+}
+
+} // namespace weft

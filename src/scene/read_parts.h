@@ -1,0 +1,34 @@
+#pragma once
+
+#include "scene/scene.h"
+#include "scene/toml_table.h"
+
+/// One function a part of the scene file: reads the keys of its table over the defaults, refuses
+/// unknown ones and values out of range. All throw Error (BadInput).
+namespace weft {
+
+SceneParams read_scene_params(TomlTable table);
+ContactParams read_contact(TomlTable table);
+/// @param base_dir   what the path of a fabric file is relative to
+/// @param obstacles  names that a pin may follow
+ClothParams read_cloth(TomlTable table,
+                       const std::filesystem::path& base_dir,
+                       const std::vector<std::string>& obstacles);
+/// One `[[cloth.pin]]`.
+PinParams read_pin(TomlTable table, const std::vector<std::string>& obstacles);
+ObstacleParams read_obstacle(TomlTable table);
+RenderParams read_render(TomlTable table);
+
+/// The keys `fabric` of a cloth: a preset, a file, or a table. Leaves the default when missing.
+void read_fabric(TomlTable& cloth, const std::filesystem::path& base_dir, FabricParams& fabric);
+/// The keys that say what a fabric is: of a preset, a fabric file or `[cloth.fabric]`.
+void read_fabric_values(TomlTable& table, FabricParams& fabric);
+
+/// `name`: usable as a file name; "" when it is missing, for the caller to refuse after finish().
+std::string read_name(TomlTable& table);
+/// mesh, object, units, up, repair; `source.file` stays empty without mesh.
+void read_mesh_source(TomlTable& table, MeshSource& source);
+/// translate, rotate_deg, scale.
+void read_placement(TomlTable& table, Placement& placement);
+
+} // namespace weft

@@ -1,0 +1,32 @@
+#include "scene/read_parts.h"
+
+namespace weft {
+
+SceneParams read_scene_params(TomlTable table) {
+    SceneParams params;
+    table.read("frames", params.frames);
+    table.read("fps", params.fps);
+    table.read("substeps", params.substeps);
+    table.read_choice("integrator", params.integrator,
+                      {{"euler", Integrator::Euler}, {"bdf2", Integrator::Bdf2}});
+    table.read("newton", params.newton);
+    table.read("solver_tolerance", params.solver_tolerance);
+    table.read("gravity", params.gravity);
+    table.read("wind", params.wind);
+    table.read("air_density", params.air_density);
+    table.finish();
+    table.refuse(problem(params));
+    return params;
+}
+
+ContactParams read_contact(TomlTable table) {
+    ContactParams params;
+    table.read_choice("start_overlap", params.start_overlap, {{"error", StartOverlap::Error}},
+                      {"grow", "untangle"});
+    table.read("self", params.self);
+    table.read("enabled", params.enabled);
+    table.finish();
+    return params;
+}
+
+} // namespace weft

@@ -1,0 +1,76 @@
+#include "scene/scene_reader.h"
+
+#include "base/atomic_file.h"
+#include "scene/parse_toml.h"
+#include "scene/read_parts.h"
+
+#include <set>
+
+namespace weft {
+namespace {
+
+/// Names become file names: one for each object.
+void require_unique_name(const TomlTable& table,
+                         const std::string& name,
+                         std::set<std::string>& taken) {
+    if (!taken.insert(name).second) {
+        table.fail("name", "must be unique: another object has it");
+    }
+}
+
+void read_objects(TomlTable& root, Scene& scene) {
+    std::set<std::string> taken;
+    std::vector<std::string> obstacle_names;
+    for (const TomlTable& table : root.tables("obstacle")) {
+        scene.obstacles.push_back(read_obstacle(table));
+        obstacle_names.push_back(scene.obstacles.back().name);
+        require_unique_name(table, obstacle_names.back(), taken);
+    }
+    for (const TomlTable& table : root.tables("cloth")) {
+        scene.cloths.push_back(read_cloth(table, scene.base_dir, obstacle_names));
+        require_unique_name(table, scene.cloths.back().name, taken);
+    }
+}
+
+Scene read_tree(const toml::table& tree, const std::filesystem::path& base_dir) {
+    TomlTable root(tree, "");
+    Scene scene;
+    scene.base_dir = base_dir;
+    for (const char* later : {"solid", "rigid"}) {
+        root.refuse_later(later);
+    }
+    if (root.has("scene")) {
+        scene.scene = read_scene_params(root.table("scene"));
+    }
+    if (root.has("contact")) {
+        scene.contact = read_contact(root.table("contact"));
+    }
+    read_objects(root, scene);
+    if (root.has("render")) {
+        scene.render = read_render(root.table("render"));
+    }
+    root.finish();
+    if (scene.cloths.empty()) {
+        root.fail("needs a [[cloth]]: nothing would move");
+    }
+    return scene;
+}
+
+} // namespace
+
+Scene read_scene_text(std::string_view text,
+                      const std::string& place,
+                      const std::filesystem::path& base_dir,
+                      std::span<const std::string> sets) {
+    toml::table tree = parse_toml(text, place);
+    for (const std::string& set : sets) {
+        apply_set(tree, set);
+    }
+    return read_tree(tree, base_dir);
+}
+
+Scene read_scene(const std::filesystem::path& file, std::span<const std::string> sets) {
+    return read_scene_text(read_file(file), file.string(), file.parent_path(), sets);
+}
+
+} // namespace weft

@@ -1,0 +1,202 @@
+#include "scene/scene_writer.h"
+
+#include "scene/toml_writer.h"
+
+#include <fmt/core.h>
+
+namespace weft {
+namespace {
+
+void write_scene_params(TomlWriter& out, const SceneParams& params) {
+    out.header("[scene]");
+    out.line("frames", params.frames, "frame n is t = (n-1)/fps");
+    out.line("fps", params.fps, "1/s");
+    out.line("substeps", params.substeps, "a frame; 0 = automatic");
+    out.line("integrator", params.integrator == Integrator::Euler ? "euler" : "bdf2");
+    out.line("newton", params.newton, "iterations a substep");
+    out.line("solver_tolerance", params.solver_tolerance, "relative residual");
+    out.line("gravity", params.gravity, "m/s^2");
+    out.line("wind", params.wind, "m/s");
+    out.line("air_density", params.air_density, "kg/m^3");
+}
+
+void write_contact(TomlWriter& out, const ContactParams& params) {
+    out.header("[contact]");
+    const char* const words[] = {"error", "grow", "untangle"};
+    out.line("start_overlap", words[static_cast<int>(params.start_overlap)]);
+    out.line("self", params.self);
+    out.line("enabled", params.enabled);
+}
+
+/// The path of a mesh from `folder`, through links resolved on both sides.
+std::string
+relative_path(const Scene& scene, const std::filesystem::path& folder, const std::string& file) {
+    return std::filesystem::proximate(scene.base_dir / file, folder).generic_string();
+}
+
+void write_mesh_source(TomlWriter& out,
+                       const Scene& scene,
+                       const std::filesystem::path& folder,
+                       const MeshSource& source) {
+    out.line("mesh", relative_path(scene, folder, source.file));
+    if (!source.objects.empty()) {
+        out.line("object", source.objects);
+    }
+    if (source.units_given) {
+        out.line("units", source.metres_per_unit, "m per unit of the file");
+    }
+    if (source.up_given) {
+        out.line("up", std::string(1, source.up));
+    }
+    out.line("repair", source.repair);
+}
+
+void write_placement(TomlWriter& out, const Placement& placement) {
+    out.line("translate", placement.translate, "m");
+    out.line("rotate_deg", placement.rotate_deg, "about x, then y, then z");
+    out.line("scale", placement.scale);
+}
+
+void write_fabric(TomlWriter& out, const FabricParams& fabric) {
+    out.header("[cloth.fabric]");
+    out.line("name", fabric.name);
+    out.line("density", fabric.area_density, "kg/m^2");
+    out.line("stretch", fabric.stretch_stiffness, "weft, warp, N/m");
+    out.line("shear", fabric.shear_stiffness, "N/m");
+    out.line("poisson", fabric.poisson);
+    out.line("bend", fabric.bend_stiffness, "N m");
+    out.line("thickness", fabric.thickness, "m");
+    out.line("friction", fabric.friction);
+    out.line("damping", fabric.damping, "mass 1/s, stiffness s");
+    out.line("range", fabric.working_range, "working range of stretch");
+}
+
+void write_pin(TomlWriter& out, const PinParams& pin) {
+    out.header("[[cloth.pin]]");
+    if (!pin.vertices.empty()) {
+        out.line("vertices", pin.vertices);
+    }
+    if (pin.has_box) {
+        out.write("box",
+                  fmt::format("{{ min = {}, max = {} }}", TomlWriter::toml_text(pin.box_min),
+                              TomlWriter::toml_text(pin.box_max)),
+                  "m");
+    }
+    if (pin.corners) {
+        out.line("corners", true);
+    }
+    if (pin.loop >= 0) {
+        out.line("loop", pin.loop);
+    } else if (!pin.loop_side.empty()) {
+        out.line("loop", pin.loop_side);
+    }
+    if (pin.until < k_forever) {
+        out.line("until", pin.until, "s");
+    }
+    if (!pin.move.empty()) {
+        out.line("move", pin.move, "t, x, y, z");
+    }
+    if (!pin.to.empty()) {
+        out.line("to", pin.to);
+    }
+}
+
+void write_cloth(TomlWriter& out,
+                 const Scene& scene,
+                 const std::filesystem::path& folder,
+                 const ClothParams& cloth) {
+    out.header("[[cloth]]");
+    out.line("name", cloth.name);
+    if (cloth.mesh.file.empty()) {
+        out.write("grid",
+                  fmt::format("{{ size = {}, cells = {} }}", TomlWriter::toml_text(cloth.grid_size),
+                              TomlWriter::toml_text(cloth.grid_cells)));
+    } else {
+        write_mesh_source(out, scene, folder, cloth.mesh);
+    }
+    write_placement(out, cloth.placement);
+    out.line("velocity", cloth.velocity, "m/s");
+    out.line("model", "corotational");
+    out.line("bending", cloth.bend_model == BendModel::Quadratic ? "quadratic" : "mid_edge");
+    out.line("rest", cloth.rest == RestShape::Mesh ? "mesh" : "uv");
+    out.line("uv_scale", cloth.uv_scale, "m per unit of uv");
+    out.line("grain_deg", cloth.grain_deg);
+    out.line("pressure", cloth.pressure, "Pa");
+    out.line("layer", cloth.layer);
+    out.write("adapt", "{ levels = 0 }");
+    write_fabric(out, cloth.fabric);
+    for (const PinParams& pin : cloth.pins) {
+        write_pin(out, pin);
+    }
+}
+
+void write_obstacle(TomlWriter& out,
+                    const Scene& scene,
+                    const std::filesystem::path& folder,
+                    const ObstacleParams& obstacle) {
+    out.header("[[obstacle]]");
+    out.line("name", obstacle.name);
+    switch (obstacle.shape) {
+    case Shape::Mesh:
+        write_mesh_source(out, scene, folder, obstacle.mesh);
+        break;
+    case Shape::Sphere:
+        out.line("shape", "sphere");
+        out.line("radius", obstacle.radius, "m");
+        break;
+    case Shape::Box:
+    case Shape::Plane:
+        out.line("shape", obstacle.shape == Shape::Box ? "box" : "plane");
+        out.line("size", obstacle.size, "m");
+        break;
+    }
+    write_placement(out, obstacle.placement);
+    out.line("friction", obstacle.friction);
+    std::string motion;
+    for (const PoseKey& key : obstacle.motion) {
+        motion += fmt::format("    {{ t = {}, translate = {}, rotate_deg = {} }},\n",
+                              TomlWriter::toml_text(key.t), TomlWriter::toml_text(key.translate),
+                              TomlWriter::toml_text(key.rotate_deg));
+    }
+    if (!motion.empty()) {
+        out.write("motion", "[\n" + motion + "]");
+    }
+}
+
+void write_render(TomlWriter& out, const RenderParams& render) {
+    out.header("[render]");
+    out.line("size", render.size, "pixels");
+    out.line("quantity", render.quantity);
+    out.line("map", render.map);
+    if (render.has_range) {
+        out.line("range", render.range);
+    }
+    out.line("edges", render.edges);
+    out.line("legend", render.legend);
+    if (render.has_camera) {
+        out.write("camera", fmt::format("{{ eye = {}, target = {}, fov_deg = {} }}",
+                                        TomlWriter::toml_text(render.camera.eye),
+                                        TomlWriter::toml_text(render.camera.target),
+                                        TomlWriter::toml_text(render.camera.fov_deg)));
+    }
+    out.line("supersample", render.supersample, "per axis");
+    out.line("enabled", render.enabled);
+}
+
+} // namespace
+
+std::string write_scene(const Scene& scene, const std::filesystem::path& folder) {
+    TomlWriter out;
+    write_scene_params(out, scene.scene);
+    write_contact(out, scene.contact);
+    for (const ClothParams& cloth : scene.cloths) {
+        write_cloth(out, scene, folder, cloth);
+    }
+    for (const ObstacleParams& obstacle : scene.obstacles) {
+        write_obstacle(out, scene, folder, obstacle);
+    }
+    write_render(out, scene.render);
+    return out.text();
+}
+
+} // namespace weft
