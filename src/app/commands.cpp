@@ -10,6 +10,7 @@ int run_command_line(int argc, const char* const* argv) {
     app.set_version_flag("--version", "weft " WEFT_VERSION);
     app.require_subcommand(1);
     ExitCode code = ExitCode::Done;
+    add_fabric_command(app, code);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
