@@ -1,0 +1,53 @@
+#pragma once
+
+#include "base/eigen.h"
+
+#include <array>
+
+/// Bending stencils whose energy is quadratic in the positions: E = 1/2 sum Q_ab x_a.x_b with Q
+/// constant, from the rest shape alone. Rest shapes are flat. Everything is intrinsic: corners of
+/// rest triangles, each in a plane of its own.
+///
+/// The jump of an inner edge, j = K x, is the sum of the unit conormals of its two triangles times
+/// the edge's length: |j| = 2 L sin(theta / 2) with theta the dihedral angle, if lengths are kept.
+namespace weft {
+
+using RestCorners = std::array<Vec2, 3>;
+
+/// Cotangent of the angle at corner k of a triangle.
+double rest_cotangent(const RestCorners& corners, int k);
+
+/// K of an edge (x0, x1) with apexes x2 and x3, in this order; annihilates affine functions.
+/// @param cot0, cot1  cotangents at x0 and at x1, each in the triangle of x2 and in that of x3
+std::array<double, 4> edge_jump(const std::array<double, 2>& cot0,
+                                const std::array<double, 2>& cot1);
+
+/// Q (upper triangle, row by row, N/m) of the two-triangle stencil: D / (A0 + A1) K^T K.
+///
+/// On cylinders it gives the plate energy D/2 kappa^2 per area where the mesh is regular, up to
+/// three times as much where the curvature runs along its diagonals; its Poisson ratio is -1/3.
+/// Source: Bergou et al. 2006, "A quadratic bending model for inextensible surfaces", with
+/// k = D/3 for the coefficient 3 k / (A0 + A1) so that D is the physical rigidity.
+std::array<double, 10>
+hinge_bend_stiffness(const std::array<double, 4>& jump, double area_sum, double rigidity);
+
+/// A triangle and its neighbours, as the six-node stencil needs them. Nodes: the three corners,
+/// then the apex across the edge opposite to corner 0, 1, 2.
+struct BendPatch {
+    RestCorners corners;
+    std::array<bool, 3> has_neighbour;
+    std::array<RestCorners, 3> neighbours; ///< [k]: corner 0 is the far apex, 1 and 2 are the
+                                           ///< triangle's corners k+2 and k+1
+};
+
+/// Q (upper triangle, row by row, N/m) of one triangle's plate energy D A/2 |B|^2, with the
+/// curvature B = sum over its edges of w_e / A_t (K_e x) n_e n_e^T constant on the triangle,
+/// w_e = A_t / (A_t + A_neighbour), n_e the edge's normal in the rest plane; bending Poisson ratio
+/// 0. An edge without a neighbour has no moment (the natural condition of a free edge).
+///
+/// Exact on cylinders over any regular mesh in every direction, without a bias along diagonals.
+/// Source: mid-edge (rotation-free) plate operator, e.g. Gingold et al. 2004; Onate and Zarate
+/// 2000.
+std::array<double, 21> mid_edge_bend_stiffness(const BendPatch& patch, double rigidity);
+
+} // namespace weft

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "geometry/polar.h"
+#include "scene/params.h"
+#include "state/cloth.h"
+
+/// One corotational triangle of orthotropic membrane: plane stress, linear in the strain S - I with
+/// F = R S the deformation gradient from the rest plane (axis 0 weft, axis 1 warp).
+///
+///     W = A/2 e^T C e,   e = (S11 - 1, S22 - 1, 2 S12)
+///
+/// Source: corotational cloth after Etzmuss et al. 2003 and Bender and Deul 2013, but with the
+/// exact gradient: the classic force -A R sigma g is a gradient only where sigma and S commute.
+namespace weft {
+
+using Corners = std::array<Vec3, 3>;
+
+/// C = [[c11, c12, 0], [c12, c22, 0], [0, 0, c33]], N/m; positive definite.
+struct MembraneStiffness {
+    double c11, c12, c22, c33;
+};
+
+/// C from Young's moduli (times thickness) along weft and warp, shear modulus and
+/// poisson = sqrt(nu12 nu21); E1 nu21 = E2 nu12 makes it symmetric.
+MembraneStiffness membrane_stiffness(const FabricParams& fabric);
+
+/// F = sum of x_i g_i^T, 3×2; with velocities for x, its rate.
+Mat32 deformation_gradient(const Corners& x, const RestTriangle& rest);
+
+/// sigma = C (S - I) on the rest axes, N/m.
+struct MembraneStress {
+    double s11, s12, s22;
+};
+MembraneStress membrane_stress(const PolarFactor& polar, const MembraneStiffness& c);
+
+/// Z of the first Piola stress dW/dF = A R Z, N/m; isotropic: sigma itself.
+Mat2 local_piola_stress(const PolarFactor& polar, const MembraneStress& stress);
+
+/// W, J.
+double membrane_energy(const Corners& x, const RestTriangle& rest, const MembraneStiffness& c);
+double membrane_energy(const PolarFactor& polar, double rest_area, const MembraneStiffness& c);
+
+/// Force on the corners, N: -dW/dx, and the damping -A F (C tau dE/dt) g_i with dE/dt the Green
+/// strain rate. Both sum to no force and no torque; damping is zero in every rigid motion.
+///
+/// @param damping_time  tau, s, >= 0
+Corners membrane_forces(const Corners& x,
+                        const Corners& v,
+                        const RestTriangle& rest,
+                        const MembraneStiffness& c,
+                        double damping_time);
+
+/// The same where F and its polar factor are known.
+Corners membrane_forces(const Mat32& F,
+                        const PolarFactor& polar,
+                        const Corners& v,
+                        const RestTriangle& rest,
+                        const MembraneStiffness& c,
+                        double damping_time);
+
+} // namespace weft

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "forces/element_terms.h"
+#include "forces/membrane.h"
+
+namespace weft {
+
+/// Second derivative of W/A, split as it decouples exactly: in the triangle's plane a form in the
+/// strain e = (dS11, dS22, 2 dS12) and the spin w, out of it a form in the slope of the normal
+/// displacement, s = dF^T n:
+///
+///     d2W/A = e^T C e + 2 w h.e + spin w^2 + s^T [2Y] s        all in N/m
+struct MembraneHessian {
+    MembraneStiffness c;
+    double h1 = 0.0, h2 = 0.0, h3 = 0.0, spin = 0.0;
+    double y11 = 0.0, y12 = 0.0,
+           y22 = 0.0; ///< 2 Y, the tension that holds the triangle in its plane
+};
+
+/// Ratio of least to greatest stretch below which the out-of-plane part is bounded; the exact one
+/// grows without limit as a triangle collapses.
+inline constexpr double k_thinnest = 2.5e-3;
+
+/// The exact form (for triangles no thinner than k_thinnest).
+MembraneHessian membrane_hessian(const PolarFactor& polar, const MembraneStiffness& c);
+
+/// Makes the form positive semidefinite: the spin's stiffness is raised until its Schur complement
+/// vanishes, negative tensions become zero. A form that is so already stays as it is, so Newton
+/// keeps its second order under tension.
+void project(MembraneHessian& hessian);
+
+/// Energy, force (see membrane_forces) and the system blocks scales.stiffness * K +
+/// scales.damping * D: K the projected second derivative of the energy, D = -df/dv (positive
+/// semidefinite; how the damping force changes with position is left out).
+///
+/// @param damping_time  tau, s, >= 0
+ElementTerms<3> membrane_terms(const Corners& x,
+                               const Corners& v,
+                               const RestTriangle& rest,
+                               const MembraneStiffness& c,
+                               double damping_time,
+                               SystemScales scales);
+
+/// The blocks of a given form, times `scale`.
+std::array<Mat3, 6> membrane_blocks(const MembraneHessian& hessian,
+                                    const PolarFactor& polar,
+                                    const RestTriangle& rest,
+                                    double scale);
+
+} // namespace weft

@@ -1,0 +1,94 @@
+#include "frames/checkpoint.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+
+namespace weft {
+namespace {
+
+/// Any bits will do: also denormals, negative zero and the NaN that marks a vertex without history.
+Checkpoint random_checkpoint(std::size_t vertices) {
+    std::mt19937_64 random(7);
+    Checkpoint checkpoint{.scene_hash = random(), .frame = 40, .time = 1.56, .history_dt = 1e-3};
+    for (auto* array : {&checkpoint.positions, &checkpoint.velocities,
+                        &checkpoint.previous_positions, &checkpoint.previous_velocities}) {
+        array->resize(vertices);
+        for (Vec3& value : *array) {
+            const std::array<std::uint64_t, 3> bits{random(), random(), random()};
+            std::memcpy(value.data(), bits.data(), sizeof bits);
+        }
+    }
+    return checkpoint;
+}
+
+bool same_bits(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec3)) == 0;
+}
+
+TEST(Checkpoint, GivesBackEveryBit) {
+    const Checkpoint checkpoint = random_checkpoint(100);
+
+    Checkpoint read;
+    EXPECT_EQ(decode_checkpoint(encode_checkpoint(checkpoint), read), "");
+
+    EXPECT_EQ(read.scene_hash, checkpoint.scene_hash);
+    EXPECT_EQ(read.frame, 40);
+    EXPECT_EQ(read.time, 1.56);
+    EXPECT_EQ(read.history_dt, 1e-3);
+    EXPECT_TRUE(same_bits(read.positions, checkpoint.positions));
+    EXPECT_TRUE(same_bits(read.velocities, checkpoint.velocities));
+    EXPECT_TRUE(same_bits(read.previous_positions, checkpoint.previous_positions));
+    EXPECT_TRUE(same_bits(read.previous_velocities, checkpoint.previous_velocities));
+}
+
+TEST(Checkpoint, OfEqualStatesHasEqualBytes) {
+    EXPECT_EQ(encode_checkpoint(random_checkpoint(50)), encode_checkpoint(random_checkpoint(50)));
+}
+
+TEST(Checkpoint, IsRefusedAtEveryTruncation) {
+    const std::string bytes = encode_checkpoint(random_checkpoint(5));
+
+    Checkpoint read;
+    for (std::size_t length = 0; length < bytes.size(); ++length) {
+        EXPECT_EQ(decode_checkpoint(bytes.substr(0, length), read), "truncated");
+    }
+    EXPECT_EQ(decode_checkpoint(bytes + "x", read), "truncated");
+}
+
+TEST(Checkpoint, IsRefusedWhenAnyByteIsChanged) {
+    const std::string bytes = encode_checkpoint(random_checkpoint(5));
+
+    Checkpoint read;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        std::string damaged = bytes;
+        damaged[i] = static_cast<char>(damaged[i] ^ 0x10);
+        EXPECT_NE(decode_checkpoint(damaged, read), "") << "byte " << i;
+    }
+}
+
+TEST(Checkpoint, RestoresTheMovingPartOfAWorld) {
+    const Checkpoint checkpoint = random_checkpoint(3);
+    World world;
+    world.positions.resize(3, Vec3::Zero());
+
+    restore(checkpoint, world);
+    const Checkpoint again = make_checkpoint(world, checkpoint.scene_hash);
+
+    EXPECT_EQ(encode_checkpoint(again), encode_checkpoint(checkpoint));
+}
+
+TEST(GeometryHash, ChangesWithAMesh) {
+    World world;
+    world.obstacles.resize(1);
+    world.obstacles[0].mesh.positions = {Vec3(0, 0, 0)};
+    const std::uint64_t before = geometry_hash(world);
+
+    world.obstacles[0].mesh.positions[0].x() = 1e-300;
+
+    EXPECT_NE(geometry_hash(world), before);
+}
+
+} // namespace
+} // namespace weft

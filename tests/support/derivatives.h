@@ -1,0 +1,79 @@
+#pragma once
+
+#include "forces/element_terms.h"
+
+#include <functional>
+#include <random>
+
+/// Finite differences, and the ways between elements' arrays and plain vectors and matrices.
+namespace weft::test {
+
+using VecX = Eigen::VectorXd;
+using MatX = Eigen::MatrixXd;
+
+/// Central differences of a scalar function with the step `delta` in each coordinate.
+inline VecX numerical_gradient(const std::function<double(const VecX&)>& f, VecX x, double delta) {
+    VecX gradient(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+        const double at = x(i);
+        x(i) = at + delta;
+        const double above = f(x);
+        x(i) = at - delta;
+        gradient(i) = (above - f(x)) / (2.0 * delta);
+        x(i) = at;
+    }
+    return gradient;
+}
+
+/// Central differences of a vector function; column i is the derivative by x_i.
+inline MatX numerical_jacobian(const std::function<VecX(const VecX&)>& f, VecX x, double delta) {
+    MatX jacobian(f(x).size(), x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+        const double at = x(i);
+        x(i) = at + delta;
+        const VecX above = f(x);
+        x(i) = at - delta;
+        jacobian.col(i) = (above - f(x)) / (2.0 * delta);
+        x(i) = at;
+    }
+    return jacobian;
+}
+
+template <int N> VecX flat(const std::array<Vec3, static_cast<std::size_t>(N)>& values) {
+    VecX x(3 * N);
+    for (int k = 0; k < N; ++k) {
+        x.segment<3>(3 * k) = values[static_cast<std::size_t>(k)];
+    }
+    return x;
+}
+
+template <int N> std::array<Vec3, static_cast<std::size_t>(N)> corners(const VecX& x) {
+    std::array<Vec3, static_cast<std::size_t>(N)> values;
+    for (int k = 0; k < N; ++k) {
+        values[static_cast<std::size_t>(k)] = x.segment<3>(3 * k);
+    }
+    return values;
+}
+
+/// The whole matrix of an element from the blocks of its upper triangle.
+template <int N>
+MatX assembled(const std::array<Mat3, static_cast<std::size_t>(block_count(N))>& blocks) {
+    MatX K(3 * N, 3 * N);
+    for (int a = 0; a < N; ++a) {
+        for (int b = a; b < N; ++b) {
+            K.block<3, 3>(3 * a, 3 * b) = blocks[block_index(N, a, b)];
+            K.block<3, 3>(3 * b, 3 * a) = blocks[block_index(N, a, b)].transpose();
+        }
+    }
+    return K;
+}
+
+/// Uniformly random rotation.
+inline Mat3 random_rotation(std::mt19937& random) {
+    std::normal_distribution<double> normal;
+    return Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
+        .normalized()
+        .toRotationMatrix();
+}
+
+} // namespace weft::test
