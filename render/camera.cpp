@@ -1,0 +1,164 @@
+#include "render/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace weft {
+
+namespace {
+
+constexpr double k_azimuth = 24.0 * std::numbers::pi / 180.0;   // to the right of +z
+constexpr double k_elevation = 13.0 * std::numbers::pi / 180.0; // above the horizon
+constexpr double k_filled = 0.86;     // share of the half height or width that the box may take
+constexpr double k_least_size = 1e-3; // m; a smaller box is seen as one of a metre
+
+double half_angle(double fov_deg) {
+    return 0.5 * fov_deg * std::numbers::pi / 180.0;
+}
+
+std::array<Vec3, 8> corners(const Box3& box) {
+    std::array<Vec3, 8> result;
+    for (int i = 0; i < 8; ++i) {
+        result[static_cast<std::size_t>(i)] = box.corner(static_cast<Box3::CornerType>(i));
+    }
+    return result;
+}
+
+struct Axes {
+    Vec3 right, up, back;
+};
+
+Axes axes_towards(const Vec3& back_direction) {
+    Axes axes;
+    axes.back = back_direction.normalized();
+    axes.right = Vec3::UnitY().cross(axes.back);
+    if (axes.right.norm() < 1e-6) { // looking straight up or down
+        axes.right = Vec3::UnitX();
+    }
+    axes.right.normalize();
+    axes.up = axes.back.cross(axes.right);
+    return axes;
+}
+
+} // namespace
+
+Box3 object_bounds(const FrameObject& object) {
+    Box3 box;
+    for (const Vec3f& x : object.positions) {
+        if (x.allFinite()) {
+            box.extend(x.cast<double>());
+        }
+    }
+    return box;
+}
+
+Box3 subject_bounds(const Frame& frame) {
+    Box3 subject;
+    std::vector<Box3> obstacles;
+    for (const FrameObject& object : frame.objects) {
+        const Box3 box = object_bounds(object);
+        if (box.isEmpty()) {
+            continue;
+        }
+        if (object.kind == ObjectKind::Cloth) {
+            subject.extend(box);
+        } else {
+            obstacles.push_back(box);
+        }
+    }
+    std::stable_sort(obstacles.begin(), obstacles.end(), [](const Box3& a, const Box3& b) {
+        return a.diagonal().squaredNorm() < b.diagonal().squaredNorm();
+    });
+    for (const Box3& box : obstacles) {
+        if (subject.isEmpty() || box.diagonal().norm() <= k_dwarfs * subject.diagonal().norm()) {
+            subject.extend(box);
+        }
+    }
+    return subject;
+}
+
+CameraParams frame_camera(const Box3& bounds, const std::array<int, 2>& size) {
+    Box3 box = bounds;
+    if (box.isEmpty()) {
+        box = Box3(Vec3(-0.25, -0.25, -0.25), Vec3(0.25, 0.25, 0.25));
+    } else if (box.diagonal().norm() < k_least_size) {
+        box = Box3(box.center() - Vec3::Constant(0.25), box.center() + Vec3::Constant(0.25));
+    }
+    CameraParams camera;
+    const Axes axes =
+        axes_towards(Vec3(std::sin(k_azimuth) * std::cos(k_elevation), std::sin(k_elevation),
+                          std::cos(k_azimuth) * std::cos(k_elevation)));
+    const double tan_up = std::tan(half_angle(camera.fov_deg)) * k_filled;
+    const double tan_right = tan_up * size[0] / size[1];
+
+    // Each corner must lie within the four planes through the eye: for the pair left and right,
+    // |x - shift| <= (d - z) tan; the two tightest corners give both the shift and the distance.
+    const Vec3 centre = box.center();
+    const auto fit = [&](const Vec3& axis, double tangent, double& shift) {
+        double most = -1e300;
+        double least = 1e300;
+        for (const Vec3& corner : corners(box)) {
+            const double x = axis.dot(corner - centre);
+            const double z = axes.back.dot(corner - centre);
+            most = std::max(most, x + z * tangent);
+            least = std::min(least, x - z * tangent);
+        }
+        shift = 0.5 * (most + least);
+        return 0.5 * (most - least) / tangent;
+    };
+    double shift_right = 0.0;
+    double shift_up = 0.0;
+    const double distance =
+        std::max(fit(axes.right, tan_right, shift_right), fit(axes.up, tan_up, shift_up));
+    camera.target = centre + shift_right * axes.right + shift_up * axes.up;
+    camera.eye = camera.target + distance * axes.back;
+    return camera;
+}
+
+Camera
+place_camera(const CameraParams& params, const std::array<int, 2>& size, const Box3& bounds) {
+    Camera camera;
+    camera.eye = params.eye;
+    const Vec3 back = params.eye - params.target;
+    const Axes axes = axes_towards(back.norm() > 0.0 ? back : Vec3::UnitZ().eval());
+    camera.right = axes.right;
+    camera.up = axes.up;
+    camera.back = axes.back;
+
+    double farthest = std::max(back.norm(), 1e-3);
+    double nearest = farthest;
+    if (!bounds.isEmpty()) {
+        const double radius = 0.5 * bounds.diagonal().norm();
+        const double depth = axes.back.dot(params.eye - bounds.center());
+        farthest = std::max(farthest, depth + 8.0 * radius); // the floor reaches behind the subject
+        nearest = std::min(nearest, depth - radius);
+    }
+    nearest = std::max(nearest * 0.5, farthest * 1e-3);
+
+    const double up_scale = 1.0 / std::tan(half_angle(params.fov_deg));
+    const double right_scale = up_scale * size[1] / size[0];
+    Eigen::Matrix4d projection = Eigen::Matrix4d::Zero();
+    projection(0, 0) = right_scale;
+    projection(1, 1) = up_scale;
+    projection(2, 2) = (farthest + nearest) / (nearest - farthest);
+    projection(2, 3) = 2.0 * farthest * nearest / (nearest - farthest);
+    projection(3, 2) = -1.0;
+    Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
+    view.block<1, 3>(0, 0) = axes.right.transpose();
+    view.block<1, 3>(1, 0) = axes.up.transpose();
+    view.block<1, 3>(2, 0) = axes.back.transpose();
+    view.block<3, 1>(0, 3) = -view.block<3, 3>(0, 0) * params.eye;
+    camera.view_projection = (projection * view).cast<float>();
+    return camera;
+}
+
+Vec3 project(const Camera& camera, const std::array<int, 2>& size, const Vec3& point) {
+    const Eigen::Vector4d clip =
+        camera.view_projection.cast<double>() * Eigen::Vector4d(point.x(), point.y(), point.z(), 1);
+    return {(0.5 + 0.5 * clip.x() / clip.w()) * size[0],
+            (0.5 - 0.5 * clip.y() / clip.w()) * size[1], clip.w()};
+}
+
+} // namespace weft

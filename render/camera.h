@@ -1,0 +1,42 @@
+#pragma once
+
+#include "base/eigen.h"
+#include "frames/frame.h"
+#include "scene/params.h"
+
+#include <array>
+#include <span>
+
+namespace weft {
+
+using Box3 = Eigen::AlignedBox3d;
+using Mat4f = Eigen::Matrix4f;
+
+/// Box around what the picture is about: all cloth, and each obstacle that does not dwarf it (an
+/// obstacle whose diagonal is more than k_dwarfs times the rest is a floor or a room). Empty when
+/// nothing has vertices. Merge over the frames of a run to frame the whole motion.
+Box3 subject_bounds(const Frame& frame);
+inline constexpr double k_dwarfs = 4.0;
+
+/// Box around the vertices of one object; empty when it has none.
+Box3 object_bounds(const FrameObject& object);
+
+/// A three-quarter view from the front (+z), slightly from the right and above, that keeps the
+/// whole box in a picture of this size (pixels) with a margin; vertical field of view 35 degrees.
+/// An empty or point-like box is looked at from a metre away.
+CameraParams frame_camera(const Box3& bounds, const std::array<int, 2>& size);
+
+/// A camera as the renderer uses it: orthonormal axes and the matrix to clip space.
+struct Camera {
+    Vec3 eye;
+    Vec3 right, up, back; ///< world directions, unit; back points from target to eye
+    Mat4f view_projection;
+};
+
+/// Camera with world y up (z when it looks along y), its depth range fitted to the box.
+Camera place_camera(const CameraParams& params, const std::array<int, 2>& size, const Box3& bounds);
+
+/// Pixel position of a world point, from the top left corner; z is > 0 in front of the camera.
+Vec3 project(const Camera& camera, const std::array<int, 2>& size, const Vec3& point);
+
+} // namespace weft

@@ -1,0 +1,178 @@
+#include "render/colour_map.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace weft {
+
+namespace {
+
+Colour clamped(const Colour& c) {
+    return {std::clamp(c[0], 0.0F, 1.0F), std::clamp(c[1], 0.0F, 1.0F),
+            std::clamp(c[2], 0.0F, 1.0F)};
+}
+
+/// One polynomial a channel, coefficients from the constant term up.
+template <std::size_t N>
+Colour polynomial(const std::array<std::array<float, N>, 3>& coefficients, float t) {
+    Colour c{};
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        for (std::size_t i = N; i-- > 0;) {
+            c[channel] = c[channel] * t + coefficients[channel][i];
+        }
+    }
+    return clamped(c);
+}
+
+Colour seed(float t) {
+    return {t, 1.0F - t, 0.0F};
+}
+
+// Fit to the matplotlib table (CC0).
+Colour viridis(float t) {
+    return polynomial<7>(
+        {{{0.27773F, 0.10509F, -0.33086F, -4.63423F, 6.22827F, 4.77638F, -5.43546F},
+          {0.00541F, 1.40461F, 0.21485F, -5.79910F, 14.17993F, -13.74515F, 4.64585F},
+          {0.33410F, 1.38459F, 0.09510F, -19.33244F, 56.69055F, -65.35303F, 26.31243F}}},
+        t);
+}
+
+// Fit to the table of Nuñez, Anderton and Renslow 2018 (CC0), channels of 0..255.
+Colour cividis(float t) {
+    const Colour c = polynomial<6>(
+        {{{-4.54F / 255, -35.34F / 255, 2381.73F / 255, -6402.7F / 255, 7024.72F / 255,
+           -2710.57F / 255},
+          {32.49F / 255, 170.73F / 255, 52.82F / 255, -131.46F / 255, 176.58F / 255, -67.37F / 255},
+          {81.24F / 255, 442.36F / 255, -2482.43F / 255, 6167.24F / 255, -6614.94F / 255,
+           2475.67F / 255}}},
+        t);
+    return c;
+}
+
+// Fit to the table of A. Mikhailov (Google, Apache 2.0), channels of 0..255.
+Colour turbo(float t) {
+    return polynomial<6>({{{34.61F / 255, 1172.33F / 255, -10793.56F / 255, 33300.12F / 255,
+                            -38394.49F / 255, 14825.05F / 255},
+                           {23.31F / 255, 557.33F / 255, 1225.33F / 255, -3574.96F / 255,
+                            1073.77F / 255, 707.56F / 255},
+                           {27.2F / 255, 3211.1F / 255, -15327.97F / 255, 27814.0F / 255,
+                            -22569.18F / 255, 6838.66F / 255}}},
+                         t);
+}
+
+/// Moreland's polar form of CIELAB: magnitude, saturation angle, hue angle.
+struct Msh {
+    double m, s, h;
+};
+
+constexpr std::array<double, 3> k_white{0.95047, 1.0, 1.08883}; // D65
+
+/// Linear RGB of a colour in Msh. Moreland 2009, section 4, and CIE 1976 L*a*b*.
+Colour srgb_from_msh(const Msh& c) {
+    const double l = c.m * std::cos(c.s);
+    const double a = c.m * std::sin(c.s) * std::cos(c.h);
+    const double b = c.m * std::sin(c.s) * std::sin(c.h);
+    const auto inverse = [](double f) {
+        return f > 6.0 / 29.0 ? f * f * f : (f - 16.0 / 116.0) * 3.0 * (6.0 / 29.0) * (6.0 / 29.0);
+    };
+    const double fy = (l + 16.0) / 116.0;
+    const double x = k_white[0] * inverse(fy + a / 500.0);
+    const double y = k_white[1] * inverse(fy);
+    const double z = k_white[2] * inverse(fy - b / 200.0);
+    return clamped({srgb_from_linear(static_cast<float>(3.2406 * x - 1.5372 * y - 0.4986 * z)),
+                    srgb_from_linear(static_cast<float>(-0.9689 * x + 1.8758 * y + 0.0415 * z)),
+                    srgb_from_linear(static_cast<float>(0.0557 * x - 0.2040 * y + 1.0570 * z))});
+}
+
+// Moreland's ends, rgb (59, 76, 192) and (180, 4, 38), in Msh, and his rule for a white of M = 88:
+// the hue turns away from the saturated end, by this angle, as it fades to grey.
+constexpr Msh k_cool{80.0, 1.08, -1.1};
+constexpr Msh k_warm{80.0, 1.08, 0.5};
+constexpr double k_white_m = 88.0;
+
+double hue_at_white(const Msh& end) {
+    const double spin =
+        end.s * std::sqrt(k_white_m * k_white_m - end.m * end.m) / (end.m * std::sin(end.s));
+    return end.h > -std::numbers::pi / 3.0 ? end.h + spin : end.h - spin;
+}
+
+Colour coolwarm(float t) {
+    const Msh& end = t < 0.5F ? k_cool : k_warm;
+    const double w = std::abs(2.0 * static_cast<double>(t) - 1.0); // 0 grey, 1 saturated
+    return srgb_from_msh({k_white_m + w * (end.m - k_white_m), w * end.s,
+                          (1.0 - w) * hue_at_white(end) + w * end.h});
+}
+
+constexpr Colour k_magenta{0.93F, 0.13F, 0.80F};
+constexpr Colour k_cyan{0.05F, 0.80F, 0.86F};
+constexpr Colour k_azure{0.12F, 0.50F, 1.0F};
+constexpr Colour k_snow{0.90F, 0.90F, 1.0F};
+
+// Of each map's two outside colours none is near to a colour of the map itself.
+constexpr std::array<ColourMap, 5> k_maps{{
+    {"seed", seed, false, k_azure, k_magenta},
+    {"coolwarm", coolwarm, true, k_cyan, k_magenta},
+    {"viridis", viridis, false, k_azure, k_magenta},
+    {"turbo", turbo, false, k_snow, k_magenta},
+    {"cividis", cividis, false, k_cyan, k_magenta},
+}};
+
+} // namespace
+
+float srgb_from_linear(float linear) {
+    const float x = std::clamp(linear, 0.0F, 1.0F);
+    return x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1.0F / 2.4F) - 0.055F;
+}
+
+float linear_from_srgb(float srgb) {
+    return srgb <= 0.04045F ? srgb / 12.92F : std::pow((srgb + 0.055F) / 1.055F, 2.4F);
+}
+
+Colour linear_from_srgb(const Colour& srgb) {
+    return {linear_from_srgb(srgb[0]), linear_from_srgb(srgb[1]), linear_from_srgb(srgb[2])};
+}
+
+std::span<const ColourMap> colour_maps() {
+    return k_maps;
+}
+
+const ColourMap* find_colour_map(std::string_view name) {
+    const auto found = std::find_if(k_maps.begin(), k_maps.end(),
+                                    [&](const ColourMap& map) { return map.name == name; });
+    return found == k_maps.end() ? nullptr : &*found;
+}
+
+float ColourScale::place(double value) const {
+    assert(map != nullptr && low < high);
+    double t = 0.0;
+    if (!map->diverging) {
+        t = (value - low) / (high - low);
+    } else if (value >= neutral) { // then the warm half ends at high, or at the cool half's mirror
+        t = 0.5 + 0.5 * (value - neutral) / (high > neutral ? high - neutral : neutral - low);
+    } else {
+        t = 0.5 - 0.5 * (neutral - value) / (low < neutral ? neutral - low : high - neutral);
+    }
+    return static_cast<float>(std::clamp(t, 0.0, 1.0));
+}
+
+Colour ColourScale::colour(double value) const {
+    if (value < low) {
+        return map->below;
+    }
+    return value > high ? map->above : map->colour(place(value));
+}
+
+std::vector<Colour> lookup_table(const ColourScale& scale, int count) {
+    assert(count >= 2);
+    std::vector<Colour> table;
+    table.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        const double value = scale.low + (scale.high - scale.low) * i / (count - 1);
+        table.push_back(linear_from_srgb(scale.map->colour(scale.place(value))));
+    }
+    return table;
+}
+
+} // namespace weft

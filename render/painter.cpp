@@ -1,0 +1,259 @@
+#include "render/painter.h"
+
+#include "base/parallel.h"
+#include "render/light.h"
+#include "render/mesh_buffer.h"
+#include "render/osmesa_context.h"
+#include "render/program.h"
+#include "render/shaders.h"
+#include "render/targets.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace weft {
+
+namespace {
+
+constexpr int k_lookup_size = 1024;  // colours of the map; fewer: steps show
+constexpr int k_shadow_size = 1024;  // pixels a side; penumbra / texel of 4 to 5 suits 16 taps
+constexpr double k_line_width = 1.1; // of mesh lines, pixels at 720 lines
+constexpr int k_most_taps = 18;
+const Colour k_clay{0.30F, 0.262F, 0.232F};
+const Colour k_backdrop_near{0.205F, 0.220F, 0.240F};
+const Colour k_backdrop_far{0.040F, 0.047F, 0.056F};
+
+/// Points spread evenly over the unit disc (Vogel's spiral), x and y in turn. A multiple of
+/// supersample^2, so that each pixel of a final pixel takes as many.
+std::vector<float> shadow_taps(int supersample) {
+    const int count = supersample == 3 ? 18 : 16;
+    std::vector<float> taps;
+    for (int i = 0; i < count; ++i) {
+        const double r = std::sqrt((i + 0.5) / count);
+        const double angle = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
+        taps.push_back(static_cast<float>(r * std::cos(angle)));
+        taps.push_back(static_cast<float>(r * std::sin(angle)));
+    }
+    assert(taps.size() <= 2 * k_most_taps);
+    return taps;
+}
+
+GLuint upload_lookup(const Gl& gl, const ColourScale& scale) {
+    const std::vector<Colour> table = lookup_table(scale, k_lookup_size);
+    GLuint texture = 0;
+    gl.GenTextures(1, &texture);
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, k_lookup_size, 1, 0, GL_RGB, GL_FLOAT, table.data());
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
+void clear(const Gl& gl, bool colour) {
+    const std::array<float, 4> nothing{0.0F, 0.0F, 0.0F, 0.0F};
+    const float farthest = 1.0F;
+    if (colour) {
+        gl.ClearBufferfv(GL_COLOR, 0, nothing.data());
+    }
+    gl.ClearBufferfv(GL_DEPTH, 0, &farthest);
+}
+
+} // namespace
+
+struct Painter::Buffers {
+    OsMesaContext context;
+    std::optional<CurrentContext> current; ///< while the members below are made
+    Gl gl;
+    Targets targets;
+    MeshBuffer cloth, clay, floor;
+    Program depth, cloth_light, clay_light, floor_light, value, resolve;
+    GLuint lookup = 0, screen = 0;
+
+    explicit Buffers(const PainterParams& p)
+        : current(context), gl(load_gl()),
+          targets(gl, p.size[0], p.size[1], p.supersample, k_shadow_size), cloth(gl), clay(gl),
+          floor(gl), depth(gl, "depth", shaders::depth_vertex(), shaders::depth_fragment()),
+          cloth_light(gl, "cloth", shaders::surface_vertex(), shaders::cloth_fragment()),
+          clay_light(gl, "clay", shaders::surface_vertex(), shaders::clay_fragment()),
+          floor_light(gl, "floor", shaders::surface_vertex(), shaders::floor_fragment()),
+          value(gl, "value", shaders::surface_vertex(), shaders::value_fragment()),
+          resolve(gl, "resolve", shaders::screen_vertex(), shaders::resolve_fragment()),
+          lookup(upload_lookup(gl, p.scale)) {
+        gl.GenVertexArrays(1, &screen);
+        gl.Enable(GL_DEPTH_CLAMP);
+        gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+        check_gl(gl, "setting up");
+        current.reset();
+    }
+
+    void draw_shadow_map(const KeyLight& light) const;
+    void light_up(const PainterParams& p, const Stage& stage, const KeyLight& light) const;
+    void set_light(const Program& program, const PainterParams& p, const KeyLight& light) const;
+    Image resolve_picture(const PainterParams& p) const;
+    void read_values(const PainterParams& p, ValuePicture& picture) const;
+};
+
+void Painter::Buffers::draw_shadow_map(const KeyLight& light) const {
+    gl.BindFramebuffer(GL_FRAMEBUFFER, targets.shadow);
+    gl.Viewport(0, 0, k_shadow_size, k_shadow_size);
+    gl.Enable(GL_DEPTH_TEST);
+    clear(gl, false);
+    depth.use();
+    depth.set("to_clip", light.to_clip);
+    cloth.draw(gl);
+    clay.draw(gl);
+}
+
+void Painter::Buffers::set_light(const Program& program,
+                                 const PainterParams& p,
+                                 const KeyLight& light) const {
+    const std::vector<float> taps = shadow_taps(p.supersample);
+    program.use();
+    program.set("to_clip", p.camera.view_projection);
+    program.set("eye", p.camera.eye);
+    program.set("key_direction", light.direction);
+    program.set("counter_direction", light.counter);
+    program.set("light_right", light.right);
+    program.set("light_up", light.up);
+    program.set("to_light", light.to_map);
+    program.set("texel", light.extent / k_shadow_size);
+    program.set("light_depth", light.depth);
+    program.set("kernel", light.kernel);
+    program.set("all_taps", static_cast<int>(taps.size() / 2));
+    program.set_points("taps", static_cast<int>(taps.size() / 2), taps.data());
+    program.set("supersample", p.supersample);
+    program.set("shadow_map", 0);
+}
+
+void Painter::Buffers::light_up(const PainterParams& p,
+                                const Stage& stage,
+                                const KeyLight& light) const {
+    gl.BindFramebuffer(GL_FRAMEBUFFER, targets.samples);
+    gl.Viewport(0, 0, p.size[0] * p.supersample, p.size[1] * p.supersample);
+    gl.Enable(GL_MULTISAMPLE);
+    clear(gl, true);
+    gl.ActiveTexture(GL_TEXTURE1);
+    gl.BindTexture(GL_TEXTURE_2D, lookup);
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_2D, targets.shadow_texture);
+
+    set_light(cloth_light, p, light);
+    cloth_light.set("lookup", 1);
+    cloth_light.set("range", p.scale.low, p.scale.high);
+    cloth_light.set("below", linear_from_srgb(p.scale.map->below));
+    cloth_light.set("above", linear_from_srgb(p.scale.map->above));
+    const double scale = std::max(0.75, p.size[1] / 720.0);
+    cloth_light.set("line_width", p.edges ? k_line_width * scale * p.supersample : 0.0);
+    cloth.draw(gl);
+
+    set_light(clay_light, p, light);
+    clay_light.set("clay", k_clay);
+    clay.draw(gl);
+
+    set_light(floor_light, p, light);
+    floor_light.set("centre", stage.floor_centre.cast<double>().eval());
+    floor_light.set("radius", static_cast<double>(stage.floor_radius));
+    floor.draw(gl);
+}
+
+Image Painter::Buffers::resolve_picture(const PainterParams& p) const {
+    gl.BindFramebuffer(GL_FRAMEBUFFER, targets.picture);
+    gl.Viewport(0, 0, p.size[0], p.size[1]);
+    gl.Disable(GL_DEPTH_TEST);
+    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, targets.samples_texture);
+    resolve.use();
+    resolve.set("samples", 0);
+    resolve.set("supersample", p.supersample);
+    resolve.set("size", p.size[0], p.size[1]);
+    resolve.set("backdrop_near", k_backdrop_near);
+    resolve.set("backdrop_far", k_backdrop_far);
+    gl.BindVertexArray(screen);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+
+    Image image(p.size[0], p.size[1]);
+    std::vector<std::uint8_t> rgba(image.rgb.size() / 3 * 4);
+    gl.ReadPixels(0, 0, p.size[0], p.size[1], GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    for (int y = 0; y < image.height; ++y) { // OpenGL's rows go up
+        const std::uint8_t* from = rgba.data() + static_cast<std::size_t>(image.height - 1 - y) *
+                                                     static_cast<std::size_t>(image.width) * 4;
+        std::uint8_t* to = image.pixel(0, y);
+        for (int x = 0; x < image.width; ++x, from += 4, to += 3) {
+            std::copy(from, from + 3, to);
+        }
+    }
+    return image;
+}
+
+void Painter::Buffers::read_values(const PainterParams& p, ValuePicture& picture) const {
+    gl.BindFramebuffer(GL_FRAMEBUFFER, targets.values);
+    gl.Viewport(0, 0, p.size[0], p.size[1]);
+    gl.Enable(GL_DEPTH_TEST);
+    clear(gl, true);
+    value.use();
+    value.set("to_clip", p.camera.view_projection);
+    value.set("is_cloth", 0);
+    clay.draw(gl);
+    floor.draw(gl);
+    value.set("is_cloth", 1);
+    cloth.draw(gl);
+
+    picture.width = p.size[0];
+    picture.height = p.size[1];
+    const std::size_t count =
+        static_cast<std::size_t>(p.size[0]) * static_cast<std::size_t>(p.size[1]);
+    std::vector<float> pairs(2 * count);
+    gl.ReadPixels(0, 0, p.size[0], p.size[1], GL_RG, GL_FLOAT, pairs.data());
+    picture.values.resize(count);
+    picture.cloth.resize(count);
+    const auto width = static_cast<std::size_t>(p.size[0]);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t from = count - width - i / width * width + i % width;
+        picture.values[i] = pairs[2 * from];
+        picture.cloth[i] = pairs[2 * from + 1] > 0.5F ? 1 : 0;
+    }
+}
+
+Painter::Painter(const PainterParams& params)
+    : params_(params), buffers_(std::make_unique<Buffers>(params)) {
+    assert(params.supersample >= 1 && params.supersample <= 4);
+}
+
+Painter::~Painter() {
+    const CurrentContext current(buffers_->context);
+    Buffers& b = *buffers_;
+    b.targets.release(b.gl);
+    for (MeshBuffer* buffer : {&b.cloth, &b.clay, &b.floor}) {
+        buffer->release(b.gl);
+    }
+    for (Program* program :
+         {&b.depth, &b.cloth_light, &b.clay_light, &b.floor_light, &b.value, &b.resolve}) {
+        program->release();
+    }
+    b.gl.DeleteTextures(1, &b.lookup);
+    b.gl.DeleteVertexArrays(1, &b.screen);
+}
+
+Image Painter::paint(const Stage& stage, ValuePicture* values) {
+    const CurrentContext current(buffers_->context);
+    const Buffers& b = *buffers_;
+    const KeyLight light = place_key_light(params_.camera, stage.subject);
+    buffers_->cloth.upload(b.gl, stage.cloth, true);
+    buffers_->clay.upload(b.gl, stage.clay, false);
+    buffers_->floor.upload(b.gl, stage.floor, false);
+
+    b.draw_shadow_map(light);
+    b.light_up(params_, stage, light);
+    Image image = b.resolve_picture(params_);
+    if (values != nullptr) {
+        b.read_values(params_, *values);
+    }
+    check_gl(b.gl, "drawing");
+    return image;
+}
+
+} // namespace weft

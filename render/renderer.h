@@ -1,0 +1,43 @@
+#pragma once
+
+#include "frames/frame.h"
+#include "render/camera.h"
+#include "render/colour_map.h"
+#include "render/image.h"
+#include "render/painter.h"
+#include "render/picture_stats.h"
+#include "scene/params.h"
+
+#include <array>
+#include <memory>
+
+namespace weft {
+
+/// Draws frames of one run. Everything that must stay still over the sequence is fixed here: size,
+/// camera, colours, floor.
+class Renderer {
+public:
+    /// @param params  of the scene; its camera is used when has_camera, else frame_camera(bounds);
+    ///                its range when has_range, else `range`
+    /// @param bounds  what the whole sequence moves in (subject_bounds, merged over the frames)
+    /// @param range   used when the scene gives none, in the quantity's unit
+    /// Throws Error (Disk) when OpenGL refuses, (BadInput) naming an unknown map or quantity.
+    Renderer(const RenderParams& params, const Box3& bounds, const Vec2& range);
+
+    /// The picture of a frame; the same bytes for the same frame, whatever was drawn before and on
+    /// however many threads. May be called from any thread, one at a time.
+    Image draw(const Frame& frame, PictureStats* stats = nullptr);
+
+    const ColourScale& scale() const { return scale_; }
+    const Camera& camera() const { return camera_; }
+
+private:
+    RenderParams params_;
+    Box3 bounds_;
+    int quantity_;
+    ColourScale scale_;
+    Camera camera_;
+    std::unique_ptr<Painter> painter_;
+};
+
+} // namespace weft

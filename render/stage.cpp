@@ -1,0 +1,85 @@
+#include "render/stage.h"
+
+#include "render/surroundings.h"
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace weft {
+
+namespace {
+
+constexpr double k_floor_reach = 2.4; // radius of the floor, in half diagonals of the subject
+constexpr double k_floor_gap = 0.002; // floor below the subject, in half diagonals: no flicker
+constexpr double k_slab_share = 0.02; // thickness over diagonal below which a box is a slab
+constexpr int k_rings = 40;
+constexpr int k_spokes = 72;
+
+bool is_level_slab(const Box3& box, const Box3& subject) {
+    const double diagonal = box.diagonal().norm();
+    return diagonal > k_dwarfs * subject.diagonal().norm() &&
+           box.sizes().y() < k_slab_share * diagonal;
+}
+
+/// A disc of rings that widen outwards, so that contact shade is fine where things stand.
+Surface disc(const Vec3f& centre, float radius) {
+    Surface surface;
+    for (int ring = 0; ring <= k_rings; ++ring) {
+        const double share = static_cast<double>(ring) / k_rings;
+        const double r = radius * share * (0.4 + 0.6 * share);
+        for (int spoke = 0; spoke < k_spokes; ++spoke) {
+            const double angle = 2.0 * std::numbers::pi * spoke / k_spokes;
+            surface.positions.push_back(
+                centre + Vec3(r * std::sin(angle), 0.0, r * std::cos(angle)).cast<float>());
+            surface.normals.push_back(Vec3f::UnitY());
+            surface.values.push_back(0.0F);
+            surface.ambient.emplace_back();
+        }
+    }
+    for (Index ring = 0; ring < k_rings; ++ring) {
+        for (Index spoke = 0; spoke < k_spokes; ++spoke) {
+            const Index a = ring * k_spokes + spoke;
+            const Index b = ring * k_spokes + (spoke + 1) % k_spokes;
+            surface.triangles.push_back({a, a + k_spokes, b + k_spokes});
+            surface.triangles.push_back({a, b + k_spokes, b});
+        }
+    }
+    return surface;
+}
+
+} // namespace
+
+Stage build_stage(const Frame& frame, int quantity, const Box3& bounds, const Vec3& eye) {
+    assert(quantity >= 0 && static_cast<std::size_t>(quantity) < k_quantities.size());
+    Stage stage;
+    stage.subject = bounds.merged(subject_bounds(frame));
+    const bool is_empty = stage.subject.isEmpty();
+    const double radius = is_empty ? 0.0 : 0.5 * stage.subject.diagonal().norm();
+    double floor_height = is_empty ? 0.0 : stage.subject.min().y() - k_floor_gap * radius;
+
+    for (const FrameObject& object : frame.objects) {
+        if (object.kind == ObjectKind::Cloth) {
+            append_smooth(stage.cloth, object, object.values[static_cast<std::size_t>(quantity)]);
+            continue;
+        }
+        const Box3 box = object_bounds(object);
+        if (!is_empty && !box.isEmpty() && is_level_slab(box, stage.subject)) {
+            floor_height = box.max().y();
+        } else {
+            append_creased(stage.clay, object);
+        }
+    }
+    if (radius > 0.0 && eye.y() > floor_height) {
+        const Vec3 centre = stage.subject.center();
+        stage.floor_centre = Vec3(centre.x(), floor_height, centre.z()).cast<float>();
+        stage.floor_radius = static_cast<float>(k_floor_reach * radius);
+        stage.floor = disc(stage.floor_centre, stage.floor_radius);
+    }
+    std::array<Surface*, 3> receivers{&stage.cloth, &stage.clay, &stage.floor};
+    std::array<const Surface*, 2> casters{&stage.cloth, &stage.clay};
+    shade_surroundings(receivers, casters, stage.subject);
+    return stage;
+}
+
+} // namespace weft

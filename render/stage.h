@@ -1,0 +1,22 @@
+#pragma once
+
+#include "render/camera.h"
+#include "render/surface.h"
+
+namespace weft {
+
+/// A frame as the renderer draws it: all cloth, all obstacles, and the floor below them.
+struct Stage {
+    Box3 subject;  ///< what counts for shadow and surroundings
+    Surface cloth; ///< values of the shown quantity
+    Surface clay;  ///< obstacles
+    Surface floor; ///< a disc that only shows shadow; empty when the camera is below it
+    Vec3f floor_centre = Vec3f::Zero();
+    float floor_radius = 1.0F;
+};
+
+/// Builds it. The floor lies under `bounds`, or where a level slab among the obstacles dwarfs the
+/// subject, on top of that slab, which is then not drawn itself.
+Stage build_stage(const Frame& frame, int quantity, const Box3& bounds, const Vec3& eye);
+
+} // namespace weft

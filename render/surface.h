@@ -1,0 +1,35 @@
+#pragma once
+
+#include "base/eigen.h"
+#include "frames/frame.h"
+
+#include <span>
+#include <vector>
+
+namespace weft {
+
+/// Light that a vertex receives from the surroundings on each side, as shares of an unhindered
+/// hemisphere: from above (sky) and from below (floor).
+struct Ambient {
+    float front_sky = 0.5F, front_floor = 0.5F;
+    float back_sky = 0.5F, back_floor = 0.5F;
+};
+
+/// Several objects of one kind as one list of vertices and triangles, ready to be drawn.
+struct Surface {
+    std::vector<Vec3f> positions; ///< m
+    std::vector<Vec3f> normals;   ///< unit, on the side from which triangles turn left
+    std::vector<float> values;    ///< of the shown quantity; zero where there is none
+    std::vector<Ambient> ambient; ///< full light until shade_surroundings
+    std::vector<Triangle> triangles;
+};
+
+/// Adds an object with smooth normals: the area-weighted mean over each vertex's triangles.
+/// `values` is #V or empty.
+void append_smooth(Surface& surface, const FrameObject& object, std::span<const float> values);
+
+/// Adds an object whose edges stay sharp where neighbouring triangles turn by more than 40 degrees:
+/// such a vertex is repeated, once for each group of triangles that are smooth together.
+void append_creased(Surface& surface, const FrameObject& object);
+
+} // namespace weft

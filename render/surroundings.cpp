@@ -1,0 +1,169 @@
+#include "render/surroundings.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace weft {
+
+namespace {
+
+constexpr int k_directions = 20; // pairs; more: smoother light, time in proportion
+constexpr int k_pixels = 160;    // a side of a depth map; fewer: thin gaps close
+constexpr float k_lift = 1.5F;   // pixels that a vertex is lifted off its own surface
+
+/// The scene seen along one direction: nearest and farthest depth of each pixel.
+class DepthMap {
+public:
+    DepthMap(const Vec3f& direction, const Vec3f& centre, float radius)
+        : w_(direction), centre_(centre), scale_(0.5F * k_pixels / radius) {
+        const Vec3f helper = std::abs(w_.y()) < 0.9F ? Vec3f::UnitY() : Vec3f::UnitX();
+        u_ = helper.cross(w_).normalized();
+        v_ = w_.cross(u_);
+        nearest_.assign(k_pixels * k_pixels, -std::numeric_limits<float>::infinity());
+        farthest_.assign(k_pixels * k_pixels, std::numeric_limits<float>::infinity());
+    }
+
+    /// Pixel coordinates and, as z, the height towards `direction`, also in pixels.
+    Vec3f place(const Vec3f& x) const {
+        const Vec3f d = (x - centre_) * scale_;
+        return {u_.dot(d) + 0.5F * k_pixels, v_.dot(d) + 0.5F * k_pixels, w_.dot(d)};
+    }
+
+    void draw(const Surface& surface) {
+        std::vector<Vec3f> placed(surface.positions.size());
+        std::transform(surface.positions.begin(), surface.positions.end(), placed.begin(),
+                       [&](const Vec3f& x) { return place(x); });
+        for (const Triangle& t : surface.triangles) {
+            draw(placed[static_cast<std::size_t>(t[0])], placed[static_cast<std::size_t>(t[1])],
+                 placed[static_cast<std::size_t>(t[2])]);
+        }
+    }
+
+    /// Is nothing higher than this place (sign +1) or lower (sign -1)?
+    bool is_open(const Vec3f& p, float sign) const {
+        const int x = static_cast<int>(std::floor(p.x()));
+        const int y = static_cast<int>(std::floor(p.y()));
+        if (x < 0 || y < 0 || x >= k_pixels || y >= k_pixels) {
+            return true;
+        }
+        const auto i = static_cast<std::size_t>(y * k_pixels + x);
+        return sign > 0.0F ? nearest_[i] <= p.z() : farthest_[i] >= p.z();
+    }
+
+private:
+    void draw(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+        const float area = (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+        if (std::abs(area) < 1e-9F) {
+            return;
+        }
+        const auto low = [](float p, float q, float r) {
+            return std::max(0, static_cast<int>(std::ceil(std::clamp(std::min({p, q, r}) - 0.5F,
+                                                                     -1.0F, k_pixels + 1.0F))));
+        };
+        const auto high = [](float p, float q, float r) {
+            return std::min(k_pixels - 1,
+                            static_cast<int>(std::floor(
+                                std::clamp(std::max({p, q, r}) - 0.5F, -1.0F, k_pixels + 1.0F))));
+        };
+        const int x_end = high(a.x(), b.x(), c.x());
+        const int y_end = high(a.y(), b.y(), c.y());
+        for (int y = low(a.y(), b.y(), c.y()); y <= y_end; ++y) {
+            for (int x = low(a.x(), b.x(), c.x()); x <= x_end; ++x) {
+                const float px = static_cast<float>(x) + 0.5F;
+                const float py = static_cast<float>(y) + 0.5F;
+                const float wb =
+                    ((px - a.x()) * (c.y() - a.y()) - (py - a.y()) * (c.x() - a.x())) / area;
+                const float wc =
+                    ((b.x() - a.x()) * (py - a.y()) - (b.y() - a.y()) * (px - a.x())) / area;
+                if (wb < 0.0F || wc < 0.0F || wb + wc > 1.0F) {
+                    continue;
+                }
+                const float z = a.z() + wb * (b.z() - a.z()) + wc * (c.z() - a.z());
+                const auto i = static_cast<std::size_t>(y * k_pixels + x);
+                nearest_[i] = std::max(nearest_[i], z);
+                farthest_[i] = std::min(farthest_[i], z);
+            }
+        }
+    }
+
+    Vec3f u_, v_, w_, centre_;
+    float scale_;
+    std::vector<float> nearest_, farthest_;
+};
+
+/// Directions spread evenly over the upper half sphere (a Fibonacci spiral).
+std::vector<Vec3f> upper_directions() {
+    std::vector<Vec3f> directions;
+    for (int i = 0; i < k_directions; ++i) {
+        const double y = (i + 0.5) / k_directions;
+        const double angle = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
+        const double r = std::sqrt(1.0 - y * y);
+        directions.push_back(Vec3(r * std::cos(angle), y, r * std::sin(angle)).cast<float>());
+    }
+    return directions;
+}
+
+/// Light on one side of a vertex: cosine-weighted shares of the open directions, normalised so that
+/// a side that faces straight up and sees everything has sky = 1 and one that faces down floor = 1.
+void gather(const std::vector<DepthMap>& maps,
+            const std::vector<Vec3f>& directions,
+            const Vec3f& position,
+            const Vec3f& normal,
+            float lift,
+            float& sky,
+            float& floor) {
+    const Vec3f place = position + lift * normal;
+    sky = 0.0F;
+    floor = 0.0F;
+    for (std::size_t d = 0; d < directions.size(); ++d) {
+        const float cosine = normal.dot(directions[d]);
+        const float sign = cosine > 0.0F ? 1.0F : -1.0F;
+        if (maps[d].is_open(maps[d].place(place), sign)) {
+            (sign > 0.0F ? sky : floor) += std::abs(cosine);
+        }
+    }
+    const float scale = 2.0F / static_cast<float>(directions.size());
+    sky *= scale;
+    floor *= scale;
+}
+
+} // namespace
+
+void shade_surroundings(std::span<Surface* const> receivers,
+                        std::span<const Surface* const> casters,
+                        const Box3& bounds) {
+    if (bounds.isEmpty() || !(bounds.diagonal().norm() > 0.0)) {
+        return;
+    }
+    const Vec3f centre = bounds.center().cast<float>();
+    const auto radius = static_cast<float>(0.5 * bounds.diagonal().norm());
+    const std::vector<Vec3f> directions = upper_directions();
+    std::vector<DepthMap> maps;
+    for (const Vec3f& direction : directions) {
+        maps.emplace_back(direction, centre, radius);
+    }
+    parallel_for(
+        maps.size(),
+        [&](std::size_t d) {
+            for (const Surface* caster : casters) {
+                maps[d].draw(*caster);
+            }
+        },
+        1);
+    const float lift = k_lift * 2.0F * radius / k_pixels;
+    for (Surface* receiver : receivers) {
+        parallel_for(receiver->positions.size(), [&](std::size_t v) {
+            Ambient& light = receiver->ambient[v];
+            const Vec3f& x = receiver->positions[v];
+            const Vec3f& n = receiver->normals[v];
+            gather(maps, directions, x, n, lift, light.front_sky, light.front_floor);
+            gather(maps, directions, x, Vec3f(-n), lift, light.back_sky, light.back_floor);
+        });
+    }
+}
+
+} // namespace weft
