@@ -1,0 +1,59 @@
+#pragma once
+
+#include "forces/element_terms.h"
+#include "state/cloth.h"
+
+#include <span>
+#include <vector>
+
+namespace weft {
+
+/// Force -c dtheta/dt grad theta of one hinge on (x0, x1, x2, x3) and scales.damping times its
+/// matrix c grad grad^T; no elastic part. Zero for every rigid motion, without torque, positive
+/// semidefinite.
+///
+/// @param damping     c, N m s, >= 0
+/// @param least_area  m^2: the gradient of a hinge whose triangles have collapsed below this is
+///                    scaled down, because it grows as one over their heights
+ElementTerms<4> hinge_damping_terms(const std::array<Vec3, 4>& x,
+                                    const std::array<Vec3, 4>& v,
+                                    double damping,
+                                    double least_area,
+                                    SystemScales scales);
+
+/// Damping of bending over a whole cloth: a hinge an inner edge with c = tau D L^2 / (A0 + A1), tau
+/// the fabric's stiffness damping (see forces/element_terms.h). The constant matrix of the elastic
+/// part cannot serve for this: -tau Q v brakes the rotation of a bent sheet.
+class BendDampingElements {
+public:
+    static constexpr int k_nodes = 4;
+
+    /// No elements when the fabric's damping or rigidity is zero.
+    explicit BendDampingElements(const Cloth& cloth);
+
+    std::size_t size() const { return hinges_.size(); }
+    std::span<const Index> nodes() const { return nodes_; }
+    double energy(std::span<const Vec3>) const { return 0.0; }
+    void
+    forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> element_forces) const;
+    void evaluate(std::span<const Vec3> x,
+                  std::span<const Vec3> v,
+                  SystemScales scales,
+                  std::span<Vec3> element_forces,
+                  std::span<Mat3> element_blocks) const;
+
+private:
+    struct Hinge {
+        double damping;    ///< N m s
+        double least_area; ///< m^2
+    };
+    ElementTerms<4> terms(std::size_t hinge,
+                          std::span<const Vec3> x,
+                          std::span<const Vec3> v,
+                          SystemScales scales) const;
+
+    std::vector<Hinge> hinges_;
+    std::vector<Index> nodes_;
+};
+
+} // namespace weft
