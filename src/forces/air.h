@@ -1,0 +1,63 @@
+#pragma once
+
+#include "forces/element_terms.h"
+#include "scene/params.h"
+#include "state/cloth.h"
+
+#include <span>
+#include <vector>
+
+namespace weft {
+
+/// Drag coefficient of a plate across the stream (square plate: 1.17, long strip: 2.0).
+inline constexpr double k_plate_drag = 1.2;
+
+/// Skin friction coefficient along the stream, both sides together (turbulent flat plate at
+/// Reynolds number 1e5: 0.007 a side).
+inline constexpr double k_skin_friction = 0.015;
+
+/// Force of the air on one face and minus its derivative by the face's velocity.
+struct AirForce {
+    Vec3 force;   ///< N
+    Mat3 damping; ///< N s/m, symmetric positive semidefinite
+};
+
+/// -rho/2 A (c_n |u.n| (u.n) n + c_t |u_t| u_t), u the face's velocity relative to the air; never
+/// gives power to a face in still air.
+///
+/// @param doubled_area_normal  (x1 - x0) x (x2 - x0), m^2
+AirForce air_drag(const Vec3& doubled_area_normal, const Vec3& relative_velocity, double density);
+
+/// Wind, drag and inner pressure on the faces of a cloth, a third on each corner (see
+/// forces/element_terms.h). The blocks hold the drag's dependence on velocity alone.
+class AirElements {
+public:
+    static constexpr int k_nodes = 3;
+
+    /// No elements without air and pressure.
+    AirElements(const Cloth& cloth, const SceneParams& scene);
+
+    std::size_t size() const { return nodes_.size() / 3; }
+    std::span<const Index> nodes() const { return nodes_; }
+
+    /// Potential of the pressure, -p times the enclosed volume (of a closed cloth), J. Drag has
+    /// none.
+    double energy(std::span<const Vec3> x) const;
+    void
+    forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> element_forces) const;
+    void evaluate(std::span<const Vec3> x,
+                  std::span<const Vec3> v,
+                  SystemScales scales,
+                  std::span<Vec3> element_forces,
+                  std::span<Mat3> element_blocks) const;
+
+private:
+    AirForce on_face(std::size_t t, std::span<const Vec3> x, std::span<const Vec3> v) const;
+
+    double density_;
+    Vec3 wind_;
+    double pressure_;
+    std::vector<Index> nodes_;
+};
+
+} // namespace weft
