@@ -1,0 +1,75 @@
+#include "geometry/crossing.h"
+
+#include "geometry/predicates.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace weft {
+
+namespace {
+
+const Vec3& point(std::span<const Vec3> x, Index i) {
+    return x[static_cast<std::size_t>(i)];
+}
+
+bool holds(const Triangle& t, Index v) {
+    return t[0] == v || t[1] == v || t[2] == v;
+}
+
+/// Corner opposite to the first side of s that meets t and has no vertex in it.
+std::optional<std::size_t>
+piercing_side(const Triangle& s, const Triangle& t, std::span<const Vec3> x) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Index p = s[(k + 1) % 3];
+        const Index q = s[(k + 2) % 3];
+        if (!holds(t, p) && !holds(t, q) &&
+            segment_meets_triangle(point(x, p), point(x, q), point(x, t[0]), point(x, t[1]),
+                                   point(x, t[2]))) {
+            return k;
+        }
+    }
+    return std::nullopt;
+}
+
+Vec3 place_on_side(const Triangle& s, std::size_t k, const Triangle& t, std::span<const Vec3> x) {
+    const Vec3& p = point(x, s[(k + 1) % 3]);
+    const Vec3& q = point(x, s[(k + 2) % 3]);
+    const Vec3& a = point(x, t[0]);
+    const Vec3 n = (point(x, t[1]) - a).cross(point(x, t[2]) - a);
+    const double height_p = n.dot(p - a);
+    const double height_q = n.dot(q - a);
+    const double span = height_p - height_q;
+    return span != 0.0 ? Vec3(p + std::clamp(height_p / span, 0.0, 1.0) * (q - p)) : p;
+}
+
+} // namespace
+
+bool segment_meets_triangle(
+    const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const int side_p = orientation(a, b, c, p);
+    const int side_q = orientation(a, b, c, q);
+    if (side_p * side_q > 0 || (side_p == 0 && side_q == 0)) {
+        return false;
+    }
+    const int ab = orientation(p, q, a, b);
+    const int bc = orientation(p, q, b, c);
+    const int ca = orientation(p, q, c, a);
+    const bool all_left = ab >= 0 && bc >= 0 && ca >= 0;
+    const bool all_right = ab <= 0 && bc <= 0 && ca <= 0;
+    return all_left || all_right;
+}
+
+bool triangles_cross(const Triangle& s, const Triangle& t, std::span<const Vec3> x) {
+    return piercing_side(s, t, x).has_value() || piercing_side(t, s, x).has_value();
+}
+
+Vec3 crossing_place(const Triangle& s, const Triangle& t, std::span<const Vec3> x) {
+    if (const auto k = piercing_side(s, t, x)) {
+        return place_on_side(s, *k, t, x);
+    }
+    const auto k = piercing_side(t, s, x);
+    return place_on_side(t, k.value_or(0), s, x);
+}
+
+} // namespace weft
