@@ -46,6 +46,9 @@ public:
     ContactReport
     resolve(const World& world, std::span<Vec3> velocities, std::span<const char> held, double dt);
 
+    /// One line for the user each: cloths whose mesh is finer than their contact thickness.
+    const std::vector<std::string>& warnings() const;
+
 private:
     struct Impl;
     std::unique_ptr<Impl> impl_;

@@ -1,0 +1,171 @@
+#include "collide/broad_phase.h"
+
+#include "base/parallel.h"
+
+#include <cassert>
+
+namespace weft {
+
+namespace {
+
+/// Share of the thickness by which a vertex may end aside of the path it was looked at with.
+/// Smaller: impulses send the search back more often; larger: more candidates.
+constexpr double k_slack = 0.5;
+
+/// Pieces a tree comparison is cut into. Fewer: threads wait for the longest; more: overhead.
+constexpr std::size_t k_tasks = 128;
+
+std::size_t at(Index i) {
+    return static_cast<std::size_t>(i);
+}
+
+bool shares_vertex(const Triangle& t, Index v) {
+    return t[0] == v || t[1] == v || t[2] == v;
+}
+
+} // namespace
+
+BroadPhase::BroadPhase(const ContactSurface& surface, bool self) : self_(self) {
+    double largest = 0.0;
+    for (const ContactObject& object : surface.objects) {
+        largest = std::max({largest, object.thickness, object.self_thickness});
+    }
+    for (const ContactObject& object : surface.objects) {
+        // Half from each side: a pair's boxes then lie together by at least its thickness.
+        const double thickness =
+            object.is_obstacle ? largest : std::max(object.thickness, object.self_thickness);
+        reach_.push_back(0.5 * k_reach * thickness);
+        slack_.push_back(object.is_obstacle ? 0.0 : k_slack * object.self_thickness);
+    }
+    vertex_boxes_.resize(surface.start.size());
+    triangle_boxes_.resize(surface.triangles.size());
+    path_low_.resize(at(surface.deformable_vertices));
+    path_high_.resize(at(surface.deformable_vertices));
+}
+
+void BroadPhase::find(const ContactSurface& surface,
+                      double dt,
+                      std::vector<Candidate>& candidates) {
+    fit(surface, dt);
+    candidates.clear();
+    const auto gather = [&](const BoxTree& a, const BoxTree& b, Index first_a, Index first_b) {
+        BoxTree::split(a, b, k_tasks, tasks_);
+        found_.resize(std::max(found_.size(), tasks_.size()));
+        parallel_for(
+            tasks_.size(),
+            [&](std::size_t i) {
+                found_[i].clear();
+                BoxTree::overlaps(a, b, tasks_[i], [&](Index s, Index t) {
+                    look_at(surface, first_a + s, first_b + t, found_[i]);
+                });
+            },
+            1);
+        for (std::size_t i = 0; i < tasks_.size(); ++i) {
+            candidates.insert(candidates.end(), found_[i].begin(), found_[i].end());
+        }
+    };
+    if (self_) {
+        gather(deformables_, deformables_, 0, 0);
+    }
+    std::size_t tree = 0;
+    for (const ContactObject& object : surface.objects) {
+        if (object.is_obstacle) {
+            gather(deformables_, obstacles_[tree++], 0, object.first_triangle);
+        }
+    }
+}
+
+bool BroadPhase::covers(const ContactSurface& surface, double dt) const {
+    return parallel_reduce(
+        path_low_.size(), true,
+        [&](std::size_t i) {
+            const Vec3 end = surface.start[i] + dt * surface.velocity[i];
+            return (end.array() >= path_low_[i].array()).all() &&
+                   (end.array() <= path_high_[i].array()).all();
+        },
+        [](bool a, bool b) { return a && b; });
+}
+
+void BroadPhase::fit(const ContactSurface& surface, double dt) {
+    parallel_for(surface.start.size(), [&](std::size_t i) {
+        const std::size_t object = at(surface.object_of_vertex[i]);
+        const Vec3& from = surface.start[i];
+        const Vec3 to = from + dt * surface.velocity[i];
+        vertex_boxes_[i] = segment_box(from, to, reach_[object] + slack_[object]);
+        if (i < path_low_.size()) {
+            path_low_[i] = from.cwiseMin(to).array() - slack_[object];
+            path_high_[i] = from.cwiseMax(to).array() + slack_[object];
+        }
+    });
+    fit_triangles(surface, 0, surface.deformable_triangles, deformables_);
+    std::size_t tree = 0;
+    for (const ContactObject& object : surface.objects) {
+        if (object.is_obstacle) {
+            obstacles_.resize(std::max(obstacles_.size(), tree + 1));
+            fit_triangles(surface, object.first_triangle, object.triangle_count,
+                          obstacles_[tree++]);
+        }
+    }
+}
+
+void BroadPhase::fit_triangles(const ContactSurface& surface,
+                               Index first,
+                               Index count,
+                               BoxTree& tree) {
+    parallel_for(at(count), [&](std::size_t i) {
+        const Triangle& t = surface.triangles[at(first) + i];
+        triangle_boxes_[at(first) + i] =
+            unite(unite(vertex_boxes_[at(t[0])], vertex_boxes_[at(t[1])]), vertex_boxes_[at(t[2])]);
+    });
+    const auto boxes = std::span(triangle_boxes_).subspan(at(first), at(count));
+    if (tree.empty()) {
+        tree = BoxTree(boxes);
+    } else {
+        tree.refit(boxes);
+    }
+}
+
+void BroadPhase::look_at(const ContactSurface& surface,
+                         Index s,
+                         Index t,
+                         std::vector<Candidate>& out) const {
+    const Triangle& a = surface.triangles[at(s)];
+    const Triangle& b = surface.triangles[at(t)];
+    const auto add = [&](std::array<Index, 4> v, std::array<Index, 2> triangles, PairKind kind) {
+        const bool movable =
+            surface.inverse_mass[at(v[0])] > 0.0 || surface.inverse_mass[at(v[1])] > 0.0 ||
+            surface.inverse_mass[at(v[2])] > 0.0 || surface.inverse_mass[at(v[3])] > 0.0;
+        if (movable) {
+            out.push_back({v, triangles, surface.rule_of(v[0], v[3]), kind});
+        }
+    };
+    const auto look_at_corners = [&](const Triangle& p, Index p_index, const Triangle& q,
+                                     Index q_index) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (surface.owns_corner(p_index, k) && !shares_vertex(q, p[k]) &&
+                overlap(vertex_boxes_[at(p[k])], triangle_boxes_[at(q_index)])) {
+                add({p[k], q[0], q[1], q[2]}, {q_index, q_index}, PairKind::VertexFace);
+            }
+        }
+    };
+    look_at_corners(a, s, b, t);
+    look_at_corners(b, t, a, s);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!surface.owns_side(s, i)) {
+            continue;
+        }
+        const Index a0 = a[(i + 1) % 3];
+        const Index a1 = a[(i + 2) % 3];
+        const Box box = unite(vertex_boxes_[at(a0)], vertex_boxes_[at(a1)]);
+        for (std::size_t j = 0; j < 3; ++j) {
+            const Index b0 = b[(j + 1) % 3];
+            const Index b1 = b[(j + 2) % 3];
+            if (surface.owns_side(t, j) && a0 != b0 && a0 != b1 && a1 != b0 && a1 != b1 &&
+                overlap(box, unite(vertex_boxes_[at(b0)], vertex_boxes_[at(b1)]))) {
+                add({a0, a1, b0, b1}, {s, t}, PairKind::EdgeEdge);
+            }
+        }
+    }
+}
+
+} // namespace weft

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "collide/contact_surface.h"
+#include "geometry/box_tree.h"
+#include "geometry/separation.h"
+
+namespace weft {
+
+/// Wider than the thickness by this share, pairs are already looked at: resting pairs, which stand
+/// at the thickness, neither leave contact nor fall into it anew each substep.
+inline constexpr double k_reach = 1.25;
+
+/// A pair to look at.
+struct Candidate {
+    std::array<Index, 4> vertices; ///< of ContactSurface; in the order of PairKind
+    /// VertexFace: the triangle, twice. EdgeEdge: the triangles that speak for the edges.
+    std::array<Index, 2> triangles;
+    Index rule; ///< of ContactSurface::rules
+    PairKind kind;
+};
+
+/// Finds candidates with one tree of triangles for all deformables and one an obstacle. Each vertex
+/// and edge is looked at through the one triangle that speaks for it, so that a pair comes once.
+/// Source: Curtis et al. 2008 (representative triangles).
+class BroadPhase {
+public:
+    /// @param self whether deformables meet each other and themselves
+    BroadPhase(const ContactSurface& surface, bool self);
+
+    /// All pairs that may come nearer than their reach while each vertex moves along its line for
+    /// `dt`, or ends up to half a thickness aside; in an order that the surface alone determines.
+    /// Pairs that share a vertex, and pairs of infinite masses only, are left out.
+    void find(const ContactSurface& surface, double dt, std::vector<Candidate>& candidates);
+
+    /// True while the candidates of the last find() hold for the present velocities.
+    bool covers(const ContactSurface& surface, double dt) const;
+
+private:
+    void fit(const ContactSurface& surface, double dt);
+    void fit_triangles(const ContactSurface& surface, Index first, Index count, BoxTree& tree);
+    void
+    look_at(const ContactSurface& surface, Index s, Index t, std::vector<Candidate>& out) const;
+
+    bool self_;
+    std::vector<double> reach_; ///< of each object's boxes, m
+    std::vector<double> slack_; ///< how far a vertex of each object may end aside, m
+    std::vector<Box> vertex_boxes_, triangle_boxes_;
+    std::vector<Vec3> path_low_, path_high_; ///< #V deformable: bounds of the path, with slack
+    BoxTree deformables_;
+    std::vector<BoxTree> obstacles_;
+    std::vector<BoxTree::Task> tasks_;
+    std::vector<std::vector<Candidate>> found_; ///< a task
+};
+
+} // namespace weft

@@ -1,0 +1,121 @@
+#include "collide/contact_row.h"
+
+namespace weft {
+
+namespace {
+
+/// Largest share of an overlap that one substep takes back (Bridson et al. 2002).
+constexpr double k_overlap_share = 0.1;
+
+/// Largest speed of parting, per overlap, 1/s. Larger: garments that start close to the skin jump;
+/// smaller: they sink in for longer.
+constexpr double k_parting_rate = 20.0;
+
+std::size_t at(Index i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// A direction for sides that touch: of the face, or across both edges.
+Vec3 fallback_normal(PairKind kind, const PairPoints& x) {
+    Vec3 n = kind == PairKind::VertexFace ? (x[2] - x[1]).cross(x[3] - x[1])
+                                          : (x[1] - x[0]).cross(x[3] - x[2]);
+    const double length = n.norm();
+    return length > 0.0 ? Vec3(n / length) : Vec3::UnitY();
+}
+
+Vec3 relative_velocity(const ContactRow& row, const ContactSurface& surface) {
+    Vec3 v = Vec3::Zero();
+    for (std::size_t i = 0; i < 4; ++i) {
+        v += row.weights[i] * surface.velocity[at(row.vertices[i])];
+    }
+    return v;
+}
+
+void push(const ContactRow& row,
+          const Vec3& impulse,
+          ContactSurface& surface,
+          std::span<char> touched) {
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t v = at(row.vertices[i]);
+        const double share = row.weights[i] * surface.inverse_mass[v];
+        if (share != 0.0) {
+            surface.velocity[v] += share * impulse;
+            touched[v] = 1;
+        }
+    }
+}
+
+/// Sets one row right; returns the change of its relative velocity.
+double settle(ContactRow& row, ContactSurface& surface, std::span<char> touched) {
+    const Vec3 v = relative_velocity(row, surface);
+    const double speed = row.normal.dot(v);
+    const double impulse = std::max(0.0, row.impulse + row.mass * (row.least_speed - speed));
+    const Vec3 across = v - speed * row.normal;
+    Vec3 drag = row.drag - row.mass * across;
+    const double limit = row.friction * impulse;
+    const double wanted = drag.norm();
+    if (wanted > limit) {
+        drag *= limit / wanted;
+    }
+    const Vec3 change = (impulse - row.impulse) * row.normal + (drag - row.drag);
+    if (change.isZero(0.0)) {
+        return 0.0;
+    }
+    row.impulse = impulse;
+    row.drag = drag;
+    push(row, change, surface, touched);
+    return change.norm() / row.mass;
+}
+
+} // namespace
+
+PairPoints start_points(const ContactSurface& surface, const std::array<Index, 4>& vertices) {
+    return {surface.start[at(vertices[0])], surface.start[at(vertices[1])],
+            surface.start[at(vertices[2])], surface.start[at(vertices[3])]};
+}
+
+PairPoints
+displacements(const ContactSurface& surface, const std::array<Index, 4>& vertices, double dt) {
+    return {dt * surface.velocity[at(vertices[0])], dt * surface.velocity[at(vertices[1])],
+            dt * surface.velocity[at(vertices[2])], dt * surface.velocity[at(vertices[3])]};
+}
+
+ContactRow make_row(const ContactSurface& surface,
+                    const Candidate& candidate,
+                    const Separation& place,
+                    double dt) {
+    const PairRule& rule = surface.rules[at(candidate.rule)];
+    const PairPoints x = start_points(surface, candidate.vertices);
+    ContactRow row{.vertices = candidate.vertices,
+                   .weights = place.weights,
+                   .kind = candidate.kind,
+                   .normal =
+                       place.distance > 0.0 ? place.normal : fallback_normal(candidate.kind, x),
+                   .mass = 0.0,
+                   .least_speed = 0.0,
+                   .friction = rule.friction};
+    double inverse_mass = 0.0;
+    Vec3 apart = Vec3::Zero();
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double w = row.weights[i];
+        inverse_mass += w * w * surface.inverse_mass[at(row.vertices[i])];
+        apart += w * x[i];
+    }
+    row.mass = inverse_mass > 0.0 ? 1.0 / inverse_mass : 0.0;
+    const double overlap = rule.thickness - row.normal.dot(apart);
+    row.least_speed =
+        overlap > 0.0 ? overlap * std::min(k_overlap_share / dt, k_parting_rate) : overlap / dt;
+    return row;
+}
+
+double sweep(std::span<ContactRow> rows, ContactSurface& surface, std::span<char> touched) {
+    double largest = 0.0;
+    for (ContactRow& row : rows) {
+        if (row.mass > 0.0) { // 0: the closest points lie on vertices of infinite mass alone
+            largest = std::max(largest, settle(row, surface, touched));
+        }
+    }
+    return largest;
+}
+
+} // namespace weft

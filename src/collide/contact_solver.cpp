@@ -1,0 +1,297 @@
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "collide/contact.h"
+#include "collide/crossings.h"
+#include "collide/impact.h"
+#include "collide/islands.h"
+#include "collide/proximity.h"
+
+#include <fmt/core.h>
+
+#include <cassert>
+
+// The stages of one substep, methods of Bridson et al. 2002, Harmon et al. 2008 and Provot 1997:
+//
+// 1. proximities with friction, at the start positions, to convergence;
+// 2. impacts of the straight motion: impulses pair by pair, all impacts so far in each round;
+// 3. zones: what is still met is solved together with the proximities, until it fits;
+// 4. islands that still do not fit are cut back (islands.h), which ends.
+//
+// Whatever is accepted was tested: no candidate that a vertex of changed velocity belongs to is
+// left out of the last search. The search keeps a smaller distance in stage 4 than before it, so
+// that rounding at the limit does not send resting pairs there.
+
+namespace weft {
+
+namespace {
+
+constexpr ImpactLimit k_impulse_limit{.thickness_share = 0.3, .start_share = 0.7};
+constexpr ImpactLimit k_final_limit{.thickness_share = 0.1, .start_share = 0.4};
+
+/// Rounds over the proximities, at most, and the change of speed (m/s) at which they end.
+constexpr int k_proximity_sweeps = 16;
+constexpr double k_settled_speed = 1e-6;
+
+/// Searches with impulses pair by pair, then searches with zones.
+constexpr int k_impulse_passes = 4;
+constexpr int k_zone_passes = 10;
+constexpr int k_zone_sweeps = 40;
+
+/// Rounds of the last resort: in the first, islands keep a part of their motion.
+constexpr int k_soft_cuts = 6;
+constexpr int k_cuts = 64;
+
+std::size_t at(Index i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// Equal but for what rounding does to a sum (obstacles come from their poses anew).
+bool same_places(std::span<const Vec3> a, std::span<const Vec3> b) {
+    return a.size() == b.size() &&
+           parallel_reduce(
+               a.size(), true, [&](std::size_t i) { return (a[i] - b[i]).squaredNorm() < 1e-24; },
+               [](bool p, bool q) { return p && q; });
+}
+
+} // namespace
+
+struct ContactSolver::Impl {
+    ContactParams params;
+    ContactSurface surface;
+    BroadPhase broad_phase;
+    ProximitySearch proximity_search;
+    ImpactSearch impact_search;
+    CrossingSearch crossing_search;
+    Islands islands;
+    std::vector<std::string> warnings;
+
+    std::vector<Candidate> candidates;
+    std::vector<ContactRow> proximities, impact_rows;
+    std::vector<Impact> impacts;
+    std::vector<char> look; ///< #V of the surface: changed since the last search
+    std::vector<Vec3> ends; ///< #V of the surface: positions after the substep
+
+    /// Positions (all of the surface) that are known to be free of crossings: before and after the
+    /// last substep.
+    std::vector<Vec3> clean_start, clean_end;
+
+    Impl(const World& world, const ContactParams& contact)
+        : params(contact), surface(make_surface(world)), broad_phase(surface, contact.self),
+          crossing_search(surface, contact.self) {
+        for (const ContactObject& object : surface.objects) {
+            if (contact.self && object.self_thickness < object.thickness) {
+                warnings.push_back(fmt::format(
+                    "{}: contact thickness {:g} m is coarse for its triangles; {:g} m is used "
+                    "between cloth and cloth",
+                    object.name, object.thickness, object.self_thickness));
+            }
+        }
+    }
+
+    ContactReport resolve(double dt);
+    void find_candidates(double dt, ContactReport& report);
+    void settle_proximities(double dt, ContactReport& report);
+    int resolve_impacts(double dt, ContactReport& report);
+    bool pass_of_impulses(int pass, double dt, ContactReport& report);
+    int cut_back_rest(double dt, ContactReport& report);
+    void count_zones(ContactReport& report);
+    void measure_end(double dt, bool clean_before, int left, ContactReport& report);
+    bool is_clean_start();
+    void count_contact(const std::array<Index, 4>& vertices, ContactReport& report) const;
+};
+
+void ContactSolver::Impl::find_candidates(double dt, ContactReport& report) {
+    const Stopwatch watch;
+    broad_phase.find(surface, dt, candidates);
+    report.seconds_broad += watch.seconds();
+}
+
+void ContactSolver::Impl::count_contact(const std::array<Index, 4>& vertices,
+                                        ContactReport& report) const {
+    const bool self = surface.is_deformable(vertices[0]) && surface.is_deformable(vertices[3]);
+    ++(self ? report.contacts_self : report.contacts_obstacle);
+}
+
+void ContactSolver::Impl::settle_proximities(double dt, ContactReport& report) {
+    const Stopwatch watch;
+    proximity_search.find(surface, candidates, dt, proximities);
+    for (int i = 0; i < k_proximity_sweeps; ++i) {
+        if (sweep(proximities, surface, look) < k_settled_speed) {
+            break;
+        }
+    }
+    for (const ContactRow& row : proximities) {
+        if (row.impulse > 0.0 || row.least_speed > 0.0) {
+            count_contact(row.vertices, report);
+        }
+    }
+    report.seconds_proximity += watch.seconds();
+}
+
+/// One search and what it asks for; false when nothing was found.
+bool ContactSolver::Impl::pass_of_impulses(int pass, double dt, ContactReport& report) {
+    if (!broad_phase.covers(surface, dt)) {
+        find_candidates(dt, report);
+    }
+    const Stopwatch watch;
+    impact_search.find(surface, candidates, look, dt, k_impulse_limit, impacts);
+    report.impacts += static_cast<int>(impacts.size());
+    std::fill(look.begin(), look.end(), 0);
+    for (const Impact& impact : impacts) {
+        const Candidate& candidate = candidates[at(impact.candidate)];
+        impact_rows.push_back(make_impact_row(surface, candidate, impact.toi, dt));
+        if (pass == 0) {
+            count_contact(candidate.vertices, report);
+        }
+        for (const Index v : candidate.vertices) {
+            look[at(v)] = 1;
+        }
+    }
+    const bool zones = pass >= k_impulse_passes;
+    if (pass == k_impulse_passes) {
+        count_zones(report);
+    }
+    for (int i = 0; i < (zones ? k_zone_sweeps : 1) && !impacts.empty(); ++i) {
+        double change = sweep(impact_rows, surface, look);
+        if (zones) {
+            change = std::max(change, sweep(proximities, surface, look));
+        }
+        if (change < k_settled_speed) {
+            break;
+        }
+    }
+    report.seconds_impact += watch.seconds();
+    return !impacts.empty();
+}
+
+void ContactSolver::Impl::count_zones(ContactReport& report) {
+    islands.reset(at(surface.deformable_vertices));
+    std::vector<char> seen(at(surface.deformable_vertices), 0);
+    for (const Impact& impact : impacts) {
+        islands.join(surface, candidates[at(impact.candidate)].vertices);
+    }
+    for (const Impact& impact : impacts) {
+        for (const Index v : candidates[at(impact.candidate)].vertices) {
+            if (surface.inverse_mass[at(v)] > 0.0 && !seen[at(islands.of(v))]) {
+                seen[at(islands.of(v))] = 1;
+                ++report.zones;
+            }
+        }
+    }
+}
+
+/// Cuts back islands until nothing is met; returns the impacts that are left.
+int ContactSolver::Impl::cut_back_rest(double dt, ContactReport& report) {
+    islands.reset(at(surface.deformable_vertices));
+    for (int round = 0;; ++round) {
+        if (!broad_phase.covers(surface, dt)) {
+            find_candidates(dt, report);
+        }
+        const Stopwatch watch;
+        impact_search.find(surface, candidates, look, dt, k_final_limit, impacts);
+        if (impacts.empty() || round == k_cuts) {
+            return static_cast<int>(impacts.size());
+        }
+        std::fill(look.begin(), look.end(), 0);
+        for (const Impact& impact : impacts) {
+            islands.join(surface, candidates[at(impact.candidate)].vertices);
+            for (const Index v : candidates[at(impact.candidate)].vertices) {
+                look[at(v)] = 1;
+            }
+        }
+        const int cut = cut_back(surface, candidates, impacts, islands,
+                                 round < k_soft_cuts ? 1.0 : 0.0, dt, look);
+        report.scaled_islands = std::max(report.scaled_islands, cut);
+        report.seconds_impact += watch.seconds();
+    }
+}
+
+int ContactSolver::Impl::resolve_impacts(double dt, ContactReport& report) {
+    impact_rows.clear();
+    std::fill(look.begin(), look.end(), 1);
+    for (int pass = 0; pass < k_impulse_passes + k_zone_passes; ++pass) {
+        if (!pass_of_impulses(pass, dt, report)) {
+            return 0;
+        }
+    }
+    return cut_back_rest(dt, report);
+}
+
+/// Exact, but only asked when the positions are not those that the last substep ended or began
+/// with.
+bool ContactSolver::Impl::is_clean_start() {
+    return same_places(surface.start, clean_end) || same_places(surface.start, clean_start) ||
+           crossing_search.find(surface, surface.start).empty();
+}
+
+void ContactSolver::Impl::measure_end(double dt,
+                                      bool clean_before,
+                                      int left,
+                                      ContactReport& report) {
+    ends.resize(surface.start.size());
+    parallel_for(ends.size(),
+                 [&](std::size_t i) { ends[i] = surface.start[i] + dt * surface.velocity[i]; });
+    const auto gap = [&](const ContactRow& row) {
+        PairPoints x;
+        for (std::size_t i = 0; i < 4; ++i) {
+            x[i] = ends[at(row.vertices[i])];
+        }
+        return separation(row.kind, x).distance;
+    };
+    for (const auto* rows : {&proximities, &impact_rows}) {
+        report.min_gap =
+            std::min(report.min_gap, parallel_reduce(
+                                         rows->size(), report.min_gap,
+                                         [&](std::size_t i) { return gap((*rows)[i]); },
+                                         [](double a, double b) { return std::min(a, b); }));
+    }
+    const bool clean = clean_before && left == 0;
+    if (!clean) {
+        const auto crossings = crossing_search.find(surface, ends);
+        report.unresolved = std::max(left, static_cast<int>(crossings.size()));
+    }
+    if (report.unresolved == 0) {
+        clean_start = surface.start;
+        clean_end = ends;
+    }
+}
+
+ContactReport ContactSolver::Impl::resolve(double dt) {
+    ContactReport report;
+    look.assign(surface.start.size(), 0);
+    const bool clean_before = is_clean_start();
+    find_candidates(dt, report);
+    settle_proximities(dt, report);
+    const int left = resolve_impacts(dt, report);
+    measure_end(dt, clean_before, left, report);
+    return report;
+}
+
+ContactSolver::ContactSolver(const World& world, const ContactParams& params)
+    : impl_(std::make_unique<Impl>(world, params)) {}
+ContactSolver::~ContactSolver() = default;
+ContactSolver::ContactSolver(ContactSolver&&) noexcept = default;
+
+const std::vector<std::string>& ContactSolver::warnings() const {
+    return impl_->warnings;
+}
+
+ContactReport ContactSolver::resolve(const World& world,
+                                     std::span<Vec3> velocities,
+                                     std::span<const char> held,
+                                     double dt) {
+    if (!impl_->params.enabled) {
+        return {};
+    }
+    ContactSurface& surface = impl_->surface;
+    place_surface(surface, world, velocities, held, dt);
+    const ContactReport report = impl_->resolve(dt);
+    for (std::size_t i = 0; i < velocities.size(); ++i) {
+        if (!held[i]) {
+            velocities[i] = surface.velocity[i];
+        }
+    }
+    return report;
+}
+
+} // namespace weft

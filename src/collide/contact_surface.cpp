@@ -1,0 +1,157 @@
+#include "collide/contact_surface.h"
+
+#include "base/parallel.h"
+
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+namespace weft {
+
+namespace {
+
+std::size_t at(Index i) {
+    return static_cast<std::size_t>(i);
+}
+
+void add_mesh(ContactSurface& surface,
+              ContactObject object,
+              std::span<const Triangle> triangles,
+              const EdgeTopology& topology) {
+    const auto index = static_cast<Index>(surface.objects.size());
+    object.first_triangle = static_cast<Index>(surface.triangles.size());
+    object.triangle_count = static_cast<Index>(triangles.size());
+    surface.object_of_vertex.resize(at(object.first_vertex + object.vertex_count), index);
+    std::vector<char> spoken_for(at(object.vertex_count), 0);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        Triangle triangle = triangles[t];
+        std::uint8_t owned = 0;
+        std::array<Index, 3> across{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            char& vertex = spoken_for[at(triangle[k])];
+            owned = static_cast<std::uint8_t>(owned | (vertex ? 0 : 1 << k));
+            vertex = 1;
+            const MeshEdge& edge = topology.edges[at(topology.triangle_edges[t][k])];
+            const bool first = edge.triangle[0] == static_cast<Index>(t);
+            owned = static_cast<std::uint8_t>(owned | (first ? 8 << k : 0));
+            const Index apex = edge.apex[first ? 1 : 0];
+            across[k] = apex == k_no_index ? k_no_index : object.first_vertex + apex;
+            triangle[k] += object.first_vertex;
+        }
+        surface.across.push_back(across);
+        surface.triangles.push_back(triangle);
+        surface.owned.push_back(owned);
+    }
+    surface.objects.push_back(std::move(object));
+}
+
+/// Lists the neighbours of each vertex.
+void build_rings(ContactSurface& surface, std::size_t vertices) {
+    std::vector<std::pair<Index, Index>> links;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        const Triangle& triangle = surface.triangles[t];
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (surface.owns_side(static_cast<Index>(t), k)) {
+                links.emplace_back(triangle[(k + 1) % 3], triangle[(k + 2) % 3]);
+            }
+        }
+    }
+    surface.ring_begin.assign(vertices + 1, 0);
+    for (const auto& [a, b] : links) {
+        ++surface.ring_begin[at(a) + 1];
+        ++surface.ring_begin[at(b) + 1];
+    }
+    std::partial_sum(surface.ring_begin.begin(), surface.ring_begin.end(),
+                     surface.ring_begin.begin());
+    std::vector<Index> next(surface.ring_begin.begin(), surface.ring_begin.end() - 1);
+    surface.ring.resize(2 * links.size());
+    for (const auto& [a, b] : links) {
+        surface.ring[at(next[at(a)]++)] = b;
+        surface.ring[at(next[at(b)]++)] = a;
+    }
+}
+
+PairRule rule_between(const ContactObject& a, const ContactObject& b) {
+    const bool both_deformable = !a.is_obstacle && !b.is_obstacle;
+    return {both_deformable ? 0.5 * (a.self_thickness + b.self_thickness)
+                            : std::max(a.thickness, b.thickness),
+            std::sqrt(a.friction * b.friction)};
+}
+
+} // namespace
+
+double finest_thickness(const Cloth& cloth) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const RestTriangle& rest : cloth.rest) {
+        for (int k = 0; k < 3; ++k) {
+            least = std::min(least, 2.0 * rest.area / rest_edge_length(rest, k));
+        }
+    }
+    return 0.5 * least;
+}
+
+ContactSurface make_surface(const World& world) {
+    ContactSurface surface;
+    for (const Cloth& cloth : world.cloths) {
+        const FabricParams& fabric = cloth.params.fabric;
+        ContactObject object{.name = cloth.name, .is_obstacle = false};
+        object.first_vertex = cloth.first_vertex;
+        object.vertex_count = cloth.vertex_count;
+        object.thickness = fabric.thickness;
+        object.self_thickness = std::min(fabric.thickness, finest_thickness(cloth));
+        object.friction = fabric.friction;
+        add_mesh(surface, std::move(object), cloth.triangles, cloth.topology);
+    }
+    surface.deformable_vertices = static_cast<Index>(world.vertex_count());
+    surface.deformable_triangles = static_cast<Index>(surface.triangles.size());
+    auto next_vertex = surface.deformable_vertices;
+    for (const Obstacle& obstacle : world.obstacles) {
+        ContactObject object{.name = obstacle.name, .is_obstacle = true};
+        object.first_vertex = next_vertex;
+        object.vertex_count = static_cast<Index>(obstacle.mesh.positions.size());
+        object.friction = obstacle.params.friction;
+        next_vertex += object.vertex_count;
+        add_mesh(surface, std::move(object), obstacle.mesh.triangles, obstacle.topology);
+    }
+    for (const ContactObject& a : surface.objects) {
+        for (const ContactObject& b : surface.objects) {
+            surface.rules.push_back(rule_between(a, b));
+        }
+    }
+    const std::size_t vertices = at(next_vertex);
+    surface.object_of_vertex.resize(vertices, 0);
+    build_rings(surface, vertices);
+    surface.start.assign(vertices, Vec3::Zero());
+    surface.velocity.assign(vertices, Vec3::Zero());
+    surface.inverse_mass.assign(vertices, 0.0);
+    return surface;
+}
+
+void place_surface(ContactSurface& surface,
+                   const World& world,
+                   std::span<const Vec3> velocities,
+                   std::span<const char> held,
+                   double dt) {
+    assert(velocities.size() == at(surface.deformable_vertices) &&
+           held.size() == velocities.size());
+    assert(world.vertex_count() == velocities.size() && dt > 0.0);
+    parallel_for(velocities.size(), [&](std::size_t i) {
+        surface.start[i] = world.positions[i];
+        surface.velocity[i] = velocities[i];
+        surface.inverse_mass[i] = held[i] ? 0.0 : 1.0 / world.masses[i];
+    });
+    for (std::size_t o = 0; o < world.obstacles.size(); ++o) {
+        const Obstacle& obstacle = world.obstacles[o];
+        ContactObject& object = surface.objects[world.cloths.size() + o];
+        object.start = obstacle_pose(obstacle, world.time);
+        object.end = obstacle_pose(obstacle, world.time + dt);
+        const std::size_t first = at(object.first_vertex);
+        parallel_for(obstacle.mesh.positions.size(), [&](std::size_t i) {
+            const Vec3& x = obstacle.mesh.positions[i];
+            surface.start[first + i] = object.start * x;
+            surface.velocity[first + i] = (object.end * x - surface.start[first + i]) / dt;
+        });
+    }
+}
+
+} // namespace weft

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "state/world.h"
+
+#include <span>
+
+namespace weft {
+
+/// One object in the unified surface.
+struct ContactObject {
+    std::string name;
+    bool is_obstacle = false;
+    Index first_vertex = 0, vertex_count = 0;     ///< of ContactSurface
+    Index first_triangle = 0, triangle_count = 0; ///< of ContactSurface
+    double thickness = 0.0;      ///< to obstacles, m; 0 for an obstacle, which takes the cloth's
+    double self_thickness = 0.0; ///< to deformables, m: lowered where the mesh is finer than it
+    double friction = 0.0;       ///< Coulomb
+    Pose start{}, end{};         ///< of an obstacle, over the substep
+};
+
+/// What two objects agree on.
+struct PairRule {
+    double thickness; ///< wanted distance, m
+    double friction;  ///< sqrt(mu_a mu_b)
+};
+
+/// All surfaces as one: the vertices of the deformables (as in World), then those of the obstacles;
+/// triangles likewise. Obstacle vertices are vertices of infinite mass, like held ones.
+struct ContactSurface {
+    std::vector<ContactObject> objects; ///< cloths, then obstacles, as in World
+    std::vector<PairRule> rules;        ///< #objects x #objects, row by row
+    Index deformable_vertices = 0;
+    Index deformable_triangles = 0;
+    std::vector<Index> object_of_vertex;
+    std::vector<Triangle> triangles;
+    /// Of each triangle: bit k: it speaks for its corner k; bit 3 + k: for its side opposite to k.
+    /// Each vertex and edge of the surface has one triangle that speaks for it.
+    std::vector<std::uint8_t> owned;
+    /// Of each triangle: the vertex across the side opposite to corner k; k_no_index on a boundary.
+    std::vector<std::array<Index, 3>> across;
+    /// Vertices joined to vertex v by an edge: ring[ring_begin[v]] to ring[ring_begin[v + 1]].
+    std::vector<Index> ring_begin, ring;
+
+    std::vector<Vec3> start;          ///< at the start of the substep, m
+    std::vector<Vec3> velocity;       ///< along the substep, m/s
+    std::vector<double> inverse_mass; ///< 1/kg; 0 = infinite
+
+    bool owns_corner(Index triangle, std::size_t k) const {
+        return (owned[static_cast<std::size_t>(triangle)] & (1 << k)) != 0;
+    }
+    bool owns_side(Index triangle, std::size_t k) const {
+        return (owned[static_cast<std::size_t>(triangle)] & (8 << k)) != 0;
+    }
+    bool is_deformable(Index vertex) const { return vertex < deformable_vertices; }
+    Index rule_of(Index vertex_a, Index vertex_b) const {
+        return object_of_vertex[static_cast<std::size_t>(vertex_a)] *
+                   static_cast<Index>(objects.size()) +
+               object_of_vertex[static_cast<std::size_t>(vertex_b)];
+    }
+};
+
+/// The surface of a world, without motion.
+ContactSurface make_surface(const World& world);
+
+/// Sets start, velocity and mass for the substep from world.time to world.time + dt: deformables
+/// move with `velocities` (#V of World), obstacles with the straight line between their poses.
+void place_surface(ContactSurface& surface,
+                   const World& world,
+                   std::span<const Vec3> velocities,
+                   std::span<const char> held,
+                   double dt);
+
+/// Largest contact thickness (m) below which a flat cloth at rest has no pair in contact: half the
+/// least altitude of its rest triangles.
+double finest_thickness(const Cloth& cloth);
+
+} // namespace weft

@@ -1,0 +1,103 @@
+#include "collide/crossings.h"
+
+#include "base/parallel.h"
+#include "collide/contact.h"
+#include "geometry/crossing.h"
+
+#include <cassert>
+
+namespace weft {
+
+namespace {
+
+constexpr std::size_t k_tasks = 128;
+
+std::size_t at(Index i) {
+    return static_cast<std::size_t>(i);
+}
+
+CrossingPair
+describe(const ContactSurface& surface, std::span<const Vec3> x, const std::array<Index, 2>& pair) {
+    const auto object_of = [&](Index t) -> const ContactObject& {
+        return surface.objects[at(surface.object_of_vertex[at(surface.triangles[at(t)][0])])];
+    };
+    const ContactObject& a = object_of(pair[0]);
+    const ContactObject& b = object_of(pair[1]);
+    return {a.name, b.name, pair[0] - a.first_triangle, pair[1] - b.first_triangle,
+            crossing_place(surface.triangles[at(pair[0])], surface.triangles[at(pair[1])], x)};
+}
+
+} // namespace
+
+CrossingSearch::CrossingSearch(const ContactSurface& surface, bool self)
+    : self_(self), boxes_(surface.triangles.size()) {}
+
+std::vector<std::array<Index, 2>> CrossingSearch::find(const ContactSurface& surface,
+                                                       std::span<const Vec3> positions) {
+    assert(positions.size() == surface.start.size());
+    parallel_for(surface.triangles.size(), [&](std::size_t i) {
+        const Triangle& t = surface.triangles[i];
+        const Vec3& c = positions[at(t[2])];
+        boxes_[i] = unite(segment_box(positions[at(t[0])], positions[at(t[1])], 0.0),
+                          segment_box(c, c, 0.0));
+    });
+    const Index split = surface.deformable_triangles;
+    const auto fit = [](BoxTree& tree, std::span<const Box> boxes) {
+        if (tree.empty()) {
+            tree = BoxTree(boxes);
+        } else {
+            tree.refit(boxes);
+        }
+    };
+    fit(deformables_, std::span(boxes_).first(at(split)));
+    fit(obstacles_, std::span(boxes_).subspan(at(split)));
+    std::vector<std::array<Index, 2>> crossings;
+    const auto gather = [&](const BoxTree& a, const BoxTree& b, Index first_b) {
+        BoxTree::split(a, b, k_tasks, tasks_);
+        found_.resize(std::max(found_.size(), tasks_.size()));
+        parallel_for(
+            tasks_.size(),
+            [&](std::size_t i) {
+                found_[i].clear();
+                BoxTree::overlaps(a, b, tasks_[i], [&](Index s, Index t) {
+                    const Index other = first_b + t;
+                    if (triangles_cross(surface.triangles[at(s)], surface.triangles[at(other)],
+                                        positions)) {
+                        found_[i].push_back({std::min(s, other), std::max(s, other)});
+                    }
+                });
+            },
+            1);
+        for (std::size_t i = 0; i < tasks_.size(); ++i) {
+            crossings.insert(crossings.end(), found_[i].begin(), found_[i].end());
+        }
+    };
+    if (self_) {
+        gather(deformables_, deformables_, 0);
+    }
+    gather(deformables_, obstacles_, split);
+    std::sort(crossings.begin(), crossings.end());
+    return crossings;
+}
+
+std::vector<CrossingPair> find_crossings(const World& world, std::size_t limit) {
+    ContactSurface surface = make_surface(world);
+    std::copy(world.positions.begin(), world.positions.end(), surface.start.begin());
+    std::size_t next = world.vertex_count();
+    for (const Obstacle& obstacle : world.obstacles) {
+        const std::size_t count = obstacle.mesh.positions.size();
+        obstacle_positions(obstacle, world.time, std::span(surface.start).subspan(next, count));
+        next += count;
+    }
+    CrossingSearch search(surface, true);
+    std::vector<CrossingPair> pairs;
+    for (const auto& pair : search.find(surface, surface.start)) {
+        if (pairs.size() == limit) {
+            break;
+        }
+        pairs.push_back(describe(surface, surface.start, pair));
+    }
+    return pairs;
+}
+
+} // namespace weft

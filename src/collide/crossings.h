@@ -1,0 +1,27 @@
+#pragma once
+
+#include "collide/contact_surface.h"
+#include "geometry/box_tree.h"
+
+namespace weft {
+
+/// Exact search for crossing triangles; keeps its trees between calls.
+class CrossingSearch {
+public:
+    /// @param self whether deformables are tested against each other and themselves
+    CrossingSearch(const ContactSurface& surface, bool self);
+
+    /// Pairs of triangles of the surface that cross at `positions` (#V of the surface), at least
+    /// one of them deformable; sorted, each with its lower number first.
+    std::vector<std::array<Index, 2>> find(const ContactSurface& surface,
+                                           std::span<const Vec3> positions);
+
+private:
+    bool self_;
+    std::vector<Box> boxes_; ///< #triangles
+    BoxTree deformables_, obstacles_;
+    std::vector<BoxTree::Task> tasks_;
+    std::vector<std::vector<std::array<Index, 2>>> found_; ///< a task
+};
+
+} // namespace weft

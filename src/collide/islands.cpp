@@ -1,0 +1,194 @@
+#include "collide/islands.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <numeric>
+
+namespace weft {
+
+namespace {
+
+/// Share of the time of impact up to which an island may move; nearer to 1 leaves less room.
+constexpr double k_kept_share = 0.8;
+
+std::size_t at(Index i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// v(x) = velocity + linear * (x - centre).
+struct AffineMotion {
+    Vec3 centre = Vec3::Zero();
+    Vec3 velocity = Vec3::Zero();
+    Mat3 linear = Mat3::Zero();
+
+    Vec3 at(const Vec3& x) const { return velocity + linear * (x - centre); }
+};
+
+/// One island with impacts.
+struct Cut {
+    double toi = 1.0;
+    Index obstacle = k_no_index; ///< object it meets; a moving one before a resting one
+    Vec3 held_sum = Vec3::Zero();
+    int held_count = 0;
+    std::vector<Index> vertices;
+};
+
+bool moves(const ContactObject& object) {
+    return object.start.rotation != object.end.rotation ||
+           object.start.translation != object.end.translation;
+}
+
+/// The straight-line motion of an obstacle over the substep, continued to all of space.
+AffineMotion obstacle_motion(const ContactObject& object, double dt) {
+    AffineMotion motion;
+    const Mat3 turn = object.end.rotation * object.start.rotation.transpose();
+    motion.centre = object.start.translation;
+    motion.velocity = (object.end.translation - object.start.translation) / dt;
+    motion.linear = (turn - Mat3::Identity()) / dt;
+    return motion;
+}
+
+/// Rigid motion with the momentum and angular momentum of the vertices.
+AffineMotion rigid_motion(const ContactSurface& surface, std::span<const Index> vertices) {
+    AffineMotion motion;
+    double mass = 0.0;
+    for (const Index v : vertices) {
+        const double m = 1.0 / surface.inverse_mass[at(v)];
+        mass += m;
+        motion.centre += m * surface.start[at(v)];
+        motion.velocity += m * surface.velocity[at(v)];
+    }
+    motion.centre /= mass;
+    motion.velocity /= mass;
+    Vec3 spin = Vec3::Zero();
+    Mat3 inertia = Mat3::Zero();
+    for (const Index v : vertices) {
+        const double m = 1.0 / surface.inverse_mass[at(v)];
+        const Vec3 r = surface.start[at(v)] - motion.centre;
+        spin += m * r.cross(surface.velocity[at(v)] - motion.velocity);
+        inertia += m * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
+    }
+    // Vertices on a line have no inertia about it: there the turning speed is zero.
+    const Eigen::SelfAdjointEigenSolver<Mat3> axes(inertia);
+    const double least = 1e-9 * axes.eigenvalues()[2];
+    Vec3 turning = Vec3::Zero();
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        if (axes.eigenvalues()[k] > least) {
+            const Vec3 axis = axes.eigenvectors().col(k);
+            turning += axis.dot(spin) / axes.eigenvalues()[k] * axis;
+        }
+    }
+    motion.linear << 0.0, -turning[2], turning[1], turning[2], 0.0, -turning[0], -turning[1],
+        turning[0], 0.0;
+    return motion;
+}
+
+void meet(Cut& cut, const ContactSurface& surface, Index v) {
+    const Index object = surface.object_of_vertex[at(v)];
+    if (!surface.is_deformable(v)) {
+        if (cut.obstacle == k_no_index || moves(surface.objects[at(object)])) {
+            cut.obstacle = object;
+        }
+    } else {
+        cut.held_sum += surface.velocity[at(v)];
+        ++cut.held_count;
+    }
+}
+
+std::vector<Cut> collect_cuts(const ContactSurface& surface,
+                              std::span<const Candidate> candidates,
+                              std::span<const Impact> impacts,
+                              const Islands& islands) {
+    std::vector<Cut> cuts;
+    std::vector<Index> cut_of(at(surface.deformable_vertices), k_no_index);
+    for (const Impact& impact : impacts) {
+        const auto& vertices = candidates[at(impact.candidate)].vertices;
+        const auto free = std::find_if(vertices.begin(), vertices.end(),
+                                       [&](Index v) { return surface.inverse_mass[at(v)] > 0.0; });
+        const Index island = islands.of(*free);
+        Index& index = cut_of[at(island)];
+        if (index == k_no_index) {
+            index = static_cast<Index>(cuts.size());
+            cuts.emplace_back();
+        }
+        Cut& cut = cuts[at(index)];
+        cut.toi = std::min(cut.toi, impact.toi);
+        for (const Index v : vertices) {
+            if (surface.inverse_mass[at(v)] == 0.0) {
+                meet(cut, surface, v);
+            }
+        }
+    }
+    for (Index v = 0; v < surface.deformable_vertices; ++v) {
+        const Index index = cut_of[at(islands.of(v))];
+        if (index != k_no_index && surface.inverse_mass[at(v)] > 0.0) {
+            cuts[at(index)].vertices.push_back(v);
+        }
+    }
+    return cuts;
+}
+
+AffineMotion reference_motion(const ContactSurface& surface, const Cut& cut, double dt) {
+    if (cut.obstacle != k_no_index) {
+        return obstacle_motion(surface.objects[at(cut.obstacle)], dt);
+    }
+    if (cut.held_count > 0) {
+        return {.velocity = cut.held_sum / cut.held_count};
+    }
+    return rigid_motion(surface, cut.vertices);
+}
+
+} // namespace
+
+void Islands::reset(std::size_t vertex_count) {
+    parent_.resize(vertex_count);
+    std::iota(parent_.begin(), parent_.end(), 0);
+}
+
+void Islands::join(const ContactSurface& surface, const std::array<Index, 4>& vertices) {
+    Index root = k_no_index;
+    for (const Index v : vertices) {
+        if (surface.inverse_mass[at(v)] == 0.0) {
+            continue;
+        }
+        const Index other = of(v);
+        if (root == k_no_index) {
+            root = other;
+        } else {
+            const Index low = std::min(root, other);
+            parent_[at(std::max(root, other))] = low;
+            root = low;
+        }
+        parent_[at(v)] = root;
+    }
+}
+
+Index Islands::of(Index vertex) const {
+    while (parent_[at(vertex)] != vertex) {
+        vertex = parent_[at(vertex)];
+    }
+    return vertex;
+}
+
+int cut_back(ContactSurface& surface,
+             std::span<const Candidate> candidates,
+             std::span<const Impact> impacts,
+             const Islands& islands,
+             double strength,
+             double dt,
+             std::span<char> touched) {
+    const std::vector<Cut> cuts = collect_cuts(surface, candidates, impacts, islands);
+    for (const Cut& cut : cuts) {
+        const double factor = strength * k_kept_share * cut.toi;
+        const AffineMotion reference = reference_motion(surface, cut, dt);
+        for (const Index v : cut.vertices) {
+            const Vec3 base = reference.at(surface.start[at(v)]);
+            surface.velocity[at(v)] = base + factor * (surface.velocity[at(v)] - base);
+            touched[at(v)] = 1;
+        }
+    }
+    return static_cast<int>(cuts.size());
+}
+
+} // namespace weft
