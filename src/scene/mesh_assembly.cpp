@@ -32,6 +32,7 @@ public:
     }
 
     MeshAssembly run() {
+        result_.imported.warnings = file_.warnings;
         chosen_ = choose_objects(file_, source_.objects, name_);
         name_objects();
         if (check_numbers()) {

@@ -121,7 +121,7 @@ void name_the_nameless(std::vector<FileObject>& objects, const std::string& file
 } // namespace
 
 MeshFile read_mesh_file(const std::filesystem::path& file, const std::string& name) {
-    check_mesh_file(file, name);
+    const std::string warning = check_mesh_file(file, name);
     Assimp::Importer importer;
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     const aiScene* scene = nullptr;
@@ -136,6 +136,9 @@ MeshFile read_mesh_file(const std::filesystem::path& file, const std::string& na
         fail_input("{}: cannot be read: {}", name, one_line(reason));
     }
     MeshFile result;
+    if (!warning.empty()) {
+        result.warnings.push_back(warning);
+    }
     const FileAxes axes = read_file_axes(*scene);
     result.format = axes.format;
     result.states_unit = axes.states_unit;

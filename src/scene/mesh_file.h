@@ -27,6 +27,7 @@ struct FileObject {
 struct MeshFile {
     std::string format; ///< assimp's words, e.g. "Autodesk FBX Importer"
     std::vector<FileObject> objects;
+    std::vector<std::string> warnings;
     bool states_unit = false;        ///< FBX, COLLADA, glTF, Blender
     double metres_per_unit = 1.0;    ///< the file's word; 1 when it has none
     bool states_up = false;          ///< likewise

@@ -5,11 +5,11 @@
 
 namespace weft {
 
-/// Looks at a mesh file before assimp does: exists, is a file, is not empty; and where assimp reads
-/// a damaged file without a word (or without end), what it would need to notice.
+/// Looks at a mesh file before assimp does: it exists, is a file, is not empty, and by its ending
+/// whatever format_checks.h has for it.
 ///
 /// @param name  the file's name in messages
-/// Throws Error (BadInput), one line.
-void check_mesh_file(const std::filesystem::path& file, const std::string& name);
+/// Returns a warning or "". Throws Error (BadInput), one line.
+std::string check_mesh_file(const std::filesystem::path& file, const std::string& name);
 
 } // namespace weft

@@ -1,0 +1,171 @@
+#include "base/error.h"
+#include "scene/format_checks.h"
+#include "scene/text_scan.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace weft {
+
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+/// v, vt and vn of an OBJ file: how many there are, and the greatest that a face names.
+struct Kind {
+    const char* meaning;
+    long long count = 0;
+    long long greatest = 0;
+    std::size_t line_of_greatest = 0;
+};
+
+class ObjCheck {
+public:
+    ObjCheck(std::string_view text, const std::string& name)
+        : text_(text), name_(name), lines_(text) {}
+
+    std::string run() {
+        std::string_view line;
+        Words words;
+        while (lines_.next(line)) {
+            split_words(line, words);
+            if (words.empty() || line.back() == '\\') { // a statement over several lines: assimp's
+                continue;
+            }
+            if (words[0] == "v") {
+                read_vertex(words);
+            } else if (words[0] == "vt" || words[0] == "vn") {
+                ++kinds_[words[0] == "vt" ? 1 : 2].count;
+            } else if (words[0] == "f") {
+                read_face(words);
+            } else if (words[0] == "l" || words[0] == "p") {
+                has_lines_or_points_ = true;
+            }
+        }
+        check_ranges();
+        return check_end();
+    }
+
+private:
+    template <typename... Args>
+    [[noreturn]] void fail(fmt::format_string<Args...> format, Args&&... args) const {
+        fail_input("{}:{}: {}", name_, lines_.number(),
+                   fmt::format(format, std::forward<Args>(args)...));
+    }
+
+    void read_vertex(const Words& words) {
+        ++kinds_[0].count;
+        used_.push_back(0);
+        if (words.size() < 4) {
+            fail("vertex {} has {} coordinates of 3: damaged or truncated file", kinds_[0].count,
+                 words.size() - 1);
+        }
+        for (std::size_t k = 1; k <= 3; ++k) {
+            const auto value = to_number(words[k]);
+            if (!value) {
+                fail("vertex {}: \"{}\" is not a number", kinds_[0].count, words[k]);
+            }
+            if (!std::isfinite(*value) || std::abs(*value) > std::numeric_limits<float>::max()) {
+                fail("vertex {}: \"{}\": a coordinate must be a finite number", kinds_[0].count,
+                     words[k]);
+            }
+        }
+    }
+
+    void read_face(const Words& words) {
+        ++faces_;
+        if (words.size() < 4) {
+            fail("face {} has {} corners: a face needs 3 (damaged or truncated file)", faces_,
+                 words.size() - 1);
+        }
+        for (std::size_t k = 1; k < words.size(); ++k) {
+            read_corner(words[k]);
+        }
+    }
+
+    /// "7", "7/3", "7//2" or "7/3/2"; all corners of a face alike.
+    void read_corner(std::string_view corner) {
+        const std::string_view whole = corner;
+        for (std::size_t kind = 0; kind < 3; ++kind) {
+            const std::size_t slash = std::min(corner.find('/'), corner.size());
+            const std::string_view part = corner.substr(0, slash);
+            if (!part.empty()) {
+                read_index(part, kind, whole);
+            } else if (kind == 0) {
+                fail("face {}: \"{}\" is not a corner (v, v/vt, v//vn or v/vt/vn)", faces_, whole);
+            }
+            if (slash == corner.size()) {
+                return;
+            }
+            corner.remove_prefix(slash + 1);
+        }
+    }
+
+    void read_index(std::string_view part, std::size_t kind, std::string_view corner) {
+        const auto index = to_integer(part);
+        Kind& k = kinds_[kind];
+        if (!index) {
+            fail("face {}: \"{}\" is not a corner (v, v/vt, v//vn or v/vt/vn)", faces_, corner);
+        }
+        const long long absolute = *index < 0 ? k.count + 1 + *index : *index;
+        if (absolute < 1) {
+            fail("face {} names {} {}: allowed are 1 to {}, or -1 to -{}", faces_, k.meaning,
+                 *index, k.count, k.count);
+        }
+        if (absolute > k.greatest) {
+            k.greatest = absolute;
+            k.line_of_greatest = lines_.number();
+        }
+        if (kind == 0 && static_cast<std::size_t>(absolute) <= used_.size()) {
+            used_[static_cast<std::size_t>(absolute) - 1] = 1;
+        }
+    }
+
+    void check_ranges() const {
+        for (const Kind& k : kinds_) {
+            if (k.greatest > k.count) {
+                fail_input("{}:{}: a face names {} {}, but the file has {}", name_,
+                           k.line_of_greatest, k.meaning, k.greatest, k.count);
+            }
+        }
+    }
+
+    /// An OBJ file does not say how much should follow. One that stops inside a line and leaves
+    /// vertices without a face was cut.
+    std::string check_end() const {
+        std::size_t unused = 0;
+        for (const char used : used_) {
+            unused += used ? 0 : 1;
+        }
+        if (unused == 0 || faces_ == 0 || has_lines_or_points_) {
+            return "";
+        }
+        if (text_.back() != '\n' && text_.back() != '\r') {
+            fail_input("{}:{}: truncated: the file ends inside a line, and {} of its {} vertices "
+                       "are in no face",
+                       name_, lines_.number(), unused, kinds_[0].count);
+        }
+        return fmt::format("{} of {} vertices in the file are in no face and were left out", unused,
+                           kinds_[0].count);
+    }
+
+    std::string_view text_;
+    const std::string& name_;
+    LineScanner lines_;
+    std::array<Kind, 3> kinds_{{{"vertex"}, {"uv"}, {"normal"}}};
+    std::vector<char> used_; ///< by vertex, from 0
+    long long faces_ = 0;
+    bool has_lines_or_points_ = false;
+};
+
+} // namespace
+
+std::string check_obj(std::string_view bytes, const std::string& name) {
+    if (bytes.find('\0') != std::string_view::npos) {
+        fail_input("{}: is not an OBJ text in ASCII or UTF-8 (it has zero bytes)", name);
+    }
+    return ObjCheck(bytes, name).run();
+}
+
+} // namespace weft
