@@ -11,6 +11,7 @@ int run_command_line(int argc, const char* const* argv) {
     app.require_subcommand(1);
     ExitCode code = ExitCode::Done;
     add_fabric_command(app, code);
+    add_inspect_command(app, code);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

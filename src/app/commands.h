@@ -16,5 +16,6 @@ int run_command_line(int argc, const char* const* argv);
 /// when that is not Done, and throws Error for everything that goes wrong. One file a verb. (A new
 /// verb: declare it here, call it in commands.cpp.)
 void add_fabric_command(CLI::App& app, ExitCode& code);
+void add_inspect_command(CLI::App& app, ExitCode& code);
 
 } // namespace weft

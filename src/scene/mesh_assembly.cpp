@@ -2,8 +2,8 @@
 
 #include "geometry/mesh_repair.h"
 #include "geometry/weld.h"
+#include "scene/joined_mesh.h"
 #include "scene/likely_unit.h"
-#include "scene/object_choice.h"
 
 #include <fmt/core.h>
 
@@ -13,64 +13,75 @@ namespace weft {
 
 namespace {
 
-/// Where a triangle of the assembled mesh came from.
-struct Origin {
-    std::size_t object; ///< in MeshFile::objects
-    Index face;         ///< in that object's mesh, from 0
-};
-
 /// The work of assemble_mesh(), stage by stage; each leaves the mesh usable by the next.
 class Assembler {
 public:
-    Assembler(const MeshFile& file, const MeshSource& source, const std::string& name, bool cloth)
-        : file_(file), source_(source), name_(name), cloth_(cloth) {
-        const bool own_unit = !source.units_given && file.states_unit;
-        result_.metres_per_unit = own_unit ? file.metres_per_unit : source.metres_per_unit;
-        const bool own_up = !source.up_given && source.up == 'y' && file.states_up;
-        result_.up = own_up ? file.up : source.up;
-        to_world_ = result_.metres_per_unit * (own_up ? file.to_y_up : turn_up(source.up));
-    }
+    Assembler(const MeshFile& file,
+              std::vector<std::size_t> chosen,
+              const MeshSource& source,
+              const std::string& name)
+        : file_(file), source_(source), name_(name), chosen_(std::move(chosen)) {}
 
     MeshAssembly run() {
         result_.imported.warnings = file_.warnings;
-        chosen_ = choose_objects(file_, source_.objects, name_);
-        name_objects();
-        if (check_numbers()) {
-            join_objects();
-            weld();
-            find_and_repair();
-            orient();
-            check_defects();
-            check_size();
+        const Mat3 to_world = choose_unit_and_axes();
+        count_input();
+        if (!has_sound_numbers()) {
+            return std::move(result_);
         }
+        joined_ = join_objects(file_, chosen_, to_world);
+        drop_unused();
+        weld_mesh(joined_.mesh, k_weld_share * bounding_diagonal(joined_.mesh.positions));
+        if (source_.repair) {
+            repair();
+        }
+        orient();
+        turn_inside_out();
+        check_defects();
+        check_size();
+        result_.imported.mesh = std::move(joined_.mesh);
+        result_.imported.corner_uv = std::move(joined_.corner_uv);
         return std::move(result_);
     }
 
 private:
-    static Mat3 turn_up(char up) {
-        Mat3 turn = Mat3::Identity();
-        if (up == 'z') { // x, z, -y
-            turn << 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, -1.0, 0.0;
-        }
-        return turn;
-    }
-
     template <typename... Args> void refuse(fmt::format_string<Args...> format, Args&&... args) {
         result_.refusals.push_back(name_ + ": " + fmt::format(format, std::forward<Args>(args)...));
+    }
+
+    template <typename... Args>
+    void refuse_as_cloth(fmt::format_string<Args...> format, Args&&... args) {
+        result_.cloth_refusals.push_back(name_ + ": " +
+                                         fmt::format(format, std::forward<Args>(args)...));
     }
 
     template <typename... Args> void warn_that(fmt::format_string<Args...> format, Args&&... args) {
         result_.imported.warnings.push_back(fmt::format(format, std::forward<Args>(args)...));
     }
 
-    void name_objects() {
+    /// What the user says counts, then what the file says, then metres and y.
+    Mat3 choose_unit_and_axes() {
+        const bool own_unit = !source_.units_given && file_.states_unit;
+        result_.metres_per_unit = own_unit ? file_.metres_per_unit : source_.metres_per_unit;
+        const bool own_up = !source_.up_given && source_.up == 'y' && file_.states_up;
+        result_.up = own_up ? file_.up : source_.up;
+        Mat3 turn = Mat3::Identity();
+        if (own_up) {
+            turn = file_.to_y_up;
+        } else if (source_.up == 'z') { // x, z, -y
+            turn << 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, -1.0, 0.0;
+        }
+        return result_.metres_per_unit * turn;
+    }
+
+    void count_input() {
         std::size_t points_and_lines = 0;
+        auto& names = result_.imported.objects;
         for (const std::size_t i : chosen_) {
             const FileObject& object = file_.objects[i];
             points_and_lines += object.points_and_lines;
             result_.imported.vertices_in_file += object.positions.size();
             result_.imported.triangles_in_file += object.triangles.size();
-            auto& names = result_.imported.objects;
             if (!object.triangles.empty() &&
                 std::find(names.begin(), names.end(), object.name) == names.end()) {
                 names.push_back(object.name);
@@ -82,8 +93,8 @@ private:
         }
     }
 
-    /// False when what follows has nothing sound to work on.
-    bool check_numbers() {
+    /// False when the later stages have nothing to work on.
+    bool has_sound_numbers() {
         for (const std::size_t i : chosen_) {
             const FileObject& object = file_.objects[i];
             if (!object.bad_faces.empty()) {
@@ -103,207 +114,92 @@ private:
             }
         }
         if (result_.refusals.empty() && result_.imported.triangles_in_file == 0) {
-            refuse("has no triangles{}", result_.imported.warnings.empty()
-                                             ? ""
-                                             : ": " + result_.imported.warnings.back());
+            const auto& warnings = result_.imported.warnings;
+            refuse("has no triangles{}{}", warnings.empty() ? "" : ": ",
+                   warnings.empty() ? "" : warnings.back());
         }
         return result_.refusals.empty();
     }
 
-    /// All chosen objects behind one another, without the vertices that no triangle uses.
-    void join_objects() {
-        ImportedMesh& out = result_.imported;
-        const bool all_have_uv = std::all_of(chosen_.begin(), chosen_.end(), [&](std::size_t i) {
-            const FileObject& object = file_.objects[i];
-            return object.triangles.empty() || !object.corner_uv.empty();
+    void drop_unused() {
+        const std::size_t dropped = drop_unused_vertices(joined_.mesh);
+        const bool has_lines = std::any_of(chosen_.begin(), chosen_.end(), [&](std::size_t i) {
+            return file_.objects[i].points_and_lines > 0;
         });
-        std::size_t unused = 0;
-        for (const std::size_t i : chosen_) {
-            const FileObject& object = file_.objects[i];
-            const auto first = static_cast<Index>(out.mesh.positions.size());
-            for (const Vec3& p : object.positions) {
-                out.mesh.positions.emplace_back(to_world_ * p);
-            }
-            for (std::size_t t = 0; t < object.triangles.size(); ++t) {
-                const Triangle& corners = object.triangles[t];
-                out.mesh.triangles.push_back(
-                    {corners[0] + first, corners[1] + first, corners[2] + first});
-                origins_.push_back({i, object.face_of_triangle[t]});
-            }
-            if (all_have_uv) {
-                out.corner_uv.insert(out.corner_uv.end(), object.corner_uv.begin(),
-                                     object.corner_uv.end());
-            }
-            unused += object.points_and_lines == 0 ? count_unused(object) : 0;
-        }
-        if (unused > 0) {
-            warn_that("{} vertices that no triangle uses were dropped", unused);
-        }
-        drop_unused_vertices();
-    }
-
-    static std::size_t count_unused(const FileObject& object) {
-        std::vector<char> used(object.positions.size(), 0);
-        for (const Triangle& t : object.triangles) {
-            for (const Index v : t) {
-                used[static_cast<std::size_t>(v)] = 1;
-            }
-        }
-        return static_cast<std::size_t>(std::count(used.begin(), used.end(), 0));
-    }
-
-    void drop_unused_vertices() {
-        TriangleMesh& mesh = result_.imported.mesh;
-        std::vector<Index> new_index(mesh.positions.size(), k_no_index);
-        for (const Triangle& t : mesh.triangles) {
-            for (const Index v : t) {
-                new_index[static_cast<std::size_t>(v)] = 0;
-            }
-        }
-        Index kept = 0;
-        for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-            if (new_index[v] != k_no_index) {
-                mesh.positions[static_cast<std::size_t>(kept)] = mesh.positions[v];
-                new_index[v] = kept++;
-            }
-        }
-        mesh.positions.resize(static_cast<std::size_t>(kept));
-        renumber(new_index);
-    }
-
-    void renumber(const std::vector<Index>& new_index) {
-        for (Triangle& t : result_.imported.mesh.triangles) {
-            for (Index& v : t) {
-                v = new_index[static_cast<std::size_t>(v)];
-            }
+        if (dropped > 0 && !has_lines) {
+            warn_that("{} vertices that no triangle uses were dropped", dropped);
         }
     }
 
-    void weld() {
-        TriangleMesh& mesh = result_.imported.mesh;
-        const double tolerance = k_weld_share * bounding_diagonal(mesh.positions);
-        Weld welded = weld_vertices(mesh.positions, tolerance);
-        mesh.positions = std::move(welded.positions);
-        renumber(welded.new_index);
-    }
-
-    void find_and_repair() {
-        ImportedMesh& out = result_.imported;
-        result_.defects = find_defects(out.mesh);
-        std::vector<Index> bad = result_.defects.degenerate;
-        bad.insert(bad.end(), result_.defects.duplicates.begin(), result_.defects.duplicates.end());
-        if (!source_.repair || bad.empty()) {
+    void repair() {
+        const MeshDefects defects = find_defects(joined_.mesh);
+        std::vector<Index> bad = defects.degenerate;
+        bad.insert(bad.end(), defects.duplicates.begin(), defects.duplicates.end());
+        if (bad.empty()) {
             return;
         }
-        warn_that("repair dropped {} degenerate and {} double triangles",
-                  result_.defects.degenerate.size(), result_.defects.duplicates.size());
         std::sort(bad.begin(), bad.end());
-        drop_triangles(bad);
-        out.triangles_removed = bad.size();
-        drop_unused_vertices();
-        if (out.mesh.triangles.empty()) {
+        bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
+        drop_triangles(joined_, bad);
+        drop_unused_vertices(joined_.mesh);
+        result_.imported.triangles_removed = bad.size();
+        warn_that("repair dropped {} triangles: {} degenerate, {} with the corners of another",
+                  bad.size(), defects.degenerate.size(), defects.duplicates.size());
+        if (joined_.mesh.triangles.empty()) {
             refuse("has no triangles left after repair dropped {}", bad.size());
         }
     }
 
-    void drop_triangles(const std::vector<Index>& ascending) {
-        ImportedMesh& out = result_.imported;
-        std::size_t kept = 0;
-        auto next = ascending.begin();
-        for (std::size_t t = 0; t < out.mesh.triangles.size(); ++t) {
-            if (next != ascending.end() && static_cast<std::size_t>(*next) == t) {
-                ++next;
-                continue;
-            }
-            out.mesh.triangles[kept] = out.mesh.triangles[t];
-            origins_[kept] = origins_[t];
-            if (!out.corner_uv.empty()) {
-                out.corner_uv[kept] = out.corner_uv[t];
-            }
-            ++kept;
-        }
-        out.mesh.triangles.resize(kept);
-        origins_.resize(kept);
-        out.corner_uv.resize(out.corner_uv.empty() ? 0 : kept);
-    }
-
     void orient() {
-        ImportedMesh& out = result_.imported;
-        const OrientReport report = orient_consistently(out.mesh.triangles);
+        const OrientReport report = orient_consistently(joined_.mesh.triangles);
         for (const Index t : report.flipped) {
-            swap_corner_uv(static_cast<std::size_t>(t));
+            flip_corner_uv(joined_, static_cast<std::size_t>(t));
         }
         if (!report.flipped.empty()) {
             warn_that("{} triangles were wound against their neighbours and have been turned",
                       report.flipped.size());
         }
-        if (cloth_ && !report.is_orientable) {
-            refuse("a part has one side only (a Moebius strip): cloth needs two");
-        }
-        result_.defects = find_defects(out.mesh);
-        const EdgeTopology topology = build_edges(out.mesh.triangles);
+    }
+
+    void turn_inside_out() {
+        TriangleMesh& mesh = joined_.mesh;
+        const EdgeTopology topology = build_edges(mesh.triangles);
         const bool closed = std::none_of(topology.edges.begin(), topology.edges.end(),
                                          [](const MeshEdge& e) { return e.is_boundary(); });
-        if (closed && enclosed_volume(out.mesh.positions, out.mesh.triangles) < 0.0) {
-            for (std::size_t t = 0; t < out.mesh.triangles.size(); ++t) {
-                std::swap(out.mesh.triangles[t][1], out.mesh.triangles[t][2]);
-                swap_corner_uv(t);
-            }
-            warn_that("the closed surface was inside out and has been turned");
+        if (!closed || enclosed_volume(mesh.positions, mesh.triangles) >= 0.0) {
+            return;
         }
-    }
-
-    void swap_corner_uv(std::size_t t) {
-        auto& uv = result_.imported.corner_uv;
-        if (!uv.empty()) {
-            std::swap(uv[t][1], uv[t][2]);
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+            flip_corner_uv(joined_, t);
         }
-    }
-
-    /// `object "Shirt": face 3, 9 and 2 more`, by the first triangle's object.
-    std::string place(const std::vector<Index>& triangles) const {
-        const std::size_t object = origins_[static_cast<std::size_t>(triangles[0])].object;
-        std::vector<Index> faces;
-        for (const Index t : triangles) {
-            const Origin& origin = origins_[static_cast<std::size_t>(t)];
-            const bool is_new = faces.empty() || faces.back() != origin.face;
-            if (origin.object == object && is_new) {
-                faces.push_back(origin.face);
-            }
-        }
-        return fmt::format("object \"{}\": face {}", file_.objects[object].name, first_few(faces));
-    }
-
-    std::string object_of_edge(const std::array<Index, 2>& edge) const {
-        const auto& triangles = result_.imported.mesh.triangles;
-        for (std::size_t t = 0; t < triangles.size(); ++t) {
-            const auto has = [&](Index v) {
-                return std::find(triangles[t].begin(), triangles[t].end(), v) != triangles[t].end();
-            };
-            if (has(edge[0]) && has(edge[1])) {
-                return file_.objects[origins_[t].object].name;
-            }
-        }
-        return "";
+        warn_that("the closed surface was inside out and has been turned");
     }
 
     void check_defects() {
+        result_.defects = find_defects(joined_.mesh);
         const MeshDefects& defects = result_.defects;
         if (!defects.degenerate.empty()) {
-            refuse("{}: {} triangles are degenerate (no area, or an altitude below {:.1g} of the "
+            refuse("{}: {} triangles are degenerate (no area, or an altitude below {:.0e} of the "
                    "size): mend the file or set repair = true",
                    place(defects.degenerate), defects.degenerate.size(), k_least_altitude_share);
         }
-        if (!defects.duplicates.empty() && cloth_) {
-            refuse("{}: {} triangles have the same corners as another: mend the file or set "
-                   "repair = true",
-                   place(defects.duplicates), defects.duplicates.size());
+        if (!defects.duplicates.empty()) {
+            refuse_as_cloth("{}: {} triangles have the same corners as another: mend the file or "
+                            "set repair = true",
+                            place(defects.duplicates), defects.duplicates.size());
         }
-        if (!defects.non_manifold_edges.empty() && cloth_) {
-            refuse("object \"{}\": {} edges have more than two triangles: edge {} (welded vertex "
-                   "numbers): cloth allows one or two",
-                   object_of_edge(defects.non_manifold_edges[0]), defects.non_manifold_edges.size(),
-                   first_few(defects.non_manifold_edges));
+        if (!defects.non_manifold_edges.empty()) {
+            refuse_as_cloth("object \"{}\": {} edges have more than two triangles: edge {} "
+                            "(vertices after welding): cloth allows one or two",
+                            object_at(defects.non_manifold_edges[0]),
+                            defects.non_manifold_edges.size(),
+                            first_few(defects.non_manifold_edges));
+        }
+        if (!defects.winding_edges.empty()) {
+            refuse_as_cloth("object \"{}\": a part has one side only (a Moebius strip): at edge {} "
+                            "(vertices after welding): cloth needs two",
+                            object_at(defects.winding_edges[0]), first_few(defects.winding_edges));
         }
         if (!defects.pinched_vertices.empty()) {
             warn_that("{} vertices join surfaces in a single point: vertex {}",
@@ -311,9 +207,36 @@ private:
         }
     }
 
+    /// `object "Shirt": face 3, 9 and 2 more`, of the first triangle's object.
+    std::string place(const std::vector<Index>& triangles) const {
+        const auto origin = [&](Index t) { return joined_.origins[static_cast<std::size_t>(t)]; };
+        const std::size_t object = origin(triangles[0]).object;
+        std::vector<Index> faces;
+        for (const Index t : triangles) {
+            const bool is_new = faces.empty() || faces.back() != origin(t).face;
+            if (origin(t).object == object && is_new) {
+                faces.push_back(origin(t).face);
+            }
+        }
+        return fmt::format("object \"{}\": face {}", file_.objects[object].name, first_few(faces));
+    }
+
+    std::string object_at(const std::array<Index, 2>& edge) const {
+        const auto& triangles = joined_.mesh.triangles;
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            const auto has = [&](Index v) {
+                return std::find(triangles[t].begin(), triangles[t].end(), v) != triangles[t].end();
+            };
+            if (has(edge[0]) && has(edge[1])) {
+                return file_.objects[joined_.origins[t].object].name;
+            }
+        }
+        return "";
+    }
+
     void check_size() {
         Eigen::AlignedBox3d box;
-        for (const Vec3& p : result_.imported.mesh.positions) {
+        for (const Vec3& p : joined_.mesh.positions) {
             box.extend(p);
         }
         const double size = box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
@@ -326,18 +249,18 @@ private:
     const MeshFile& file_;
     const MeshSource& source_;
     const std::string& name_;
-    bool cloth_;
-    Mat3 to_world_;
     std::vector<std::size_t> chosen_;
-    std::vector<Origin> origins_; ///< of each triangle
-    MeshAssembly result_{};
+    JoinedMesh joined_;
+    MeshAssembly result_;
 };
 
 } // namespace
 
-MeshAssembly
-assemble_mesh(const MeshFile& file, const MeshSource& source, const std::string& name, bool cloth) {
-    return Assembler(file, source, name, cloth).run();
+MeshAssembly assemble_mesh(const MeshFile& file,
+                           std::vector<std::size_t> chosen,
+                           const MeshSource& source,
+                           const std::string& name) {
+    return Assembler(file, std::move(chosen), source, name).run();
 }
 
 } // namespace weft

@@ -13,11 +13,12 @@ inline constexpr double k_weld_share = 1e-6;
 
 /// A mesh on its way from the file into the simulation, with everything that is wrong with it.
 struct MeshAssembly {
-    ImportedMesh imported;  ///< welded, converted, repaired and oriented as far as that went
-    MeshDefects defects;    ///< of imported.mesh; after a repair, what is left
-    double metres_per_unit; ///< what was used
-    char up;                ///< likewise
-    std::vector<std::string> refusals; ///< one line each; empty: fit for simulation
+    ImportedMesh imported;        ///< welded, converted, repaired and oriented as far as that went
+    MeshDefects defects;          ///< of imported.mesh; after a repair, what is left
+    double metres_per_unit = 1.0; ///< what was used
+    char up = 'y';                ///< likewise
+    std::vector<std::string> refusals;       ///< one line each; empty: fit for an obstacle
+    std::vector<std::string> cloth_refusals; ///< what makes it unfit for cloth besides
 };
 
 /// Picks objects, converts to metres and y up, welds, repairs and checks.
@@ -27,10 +28,11 @@ struct MeshAssembly {
 /// indices for corners (OBJ, FBX, COLLADA, ...) the order in which the faces name them first.
 /// Vertices in no triangle get no number.
 ///
-/// @param name   the file's name in messages
-/// @param cloth  true: non-manifold edges and one-sided surfaces are refused too
-/// Throws Error (BadInput) only for an object name that the file does not have.
-MeshAssembly
-assemble_mesh(const MeshFile& file, const MeshSource& source, const std::string& name, bool cloth);
+/// @param chosen  indices into file.objects
+/// @param name    the file's name in messages
+MeshAssembly assemble_mesh(const MeshFile& file,
+                           std::vector<std::size_t> chosen,
+                           const MeshSource& source,
+                           const std::string& name);
 
 } // namespace weft

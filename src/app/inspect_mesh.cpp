@@ -1,0 +1,207 @@
+#include "app/inspect_mesh.h"
+
+#include "base/error.h"
+#include "geometry/mesh_measure.h"
+#include "scene/object_choice.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace weft {
+
+namespace {
+
+/// Lines of "label  text", the texts under one another.
+class Sheet {
+public:
+    template <typename... Args>
+    void row(const char* label, fmt::format_string<Args...> format, Args&&... args) {
+        text +=
+            fmt::format("  {:<14}{}\n", label, fmt::format(format, std::forward<Args>(args)...));
+    }
+    std::string text;
+};
+
+std::string plural(std::size_t count, const char* noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+/// A length that may be tiny beside the object's size: in mm below 10 cm.
+std::string short_length(double metres) {
+    return metres < 0.1 ? fmt::format("{:.3g} mm", 1000.0 * metres)
+                        : fmt::format("{:.3f} m", metres);
+}
+
+/// Objects that share a node's name, as one row of the table.
+struct Group {
+    std::string name;
+    std::vector<std::size_t> members;
+};
+
+std::vector<Group> group_objects(const MeshFile& file, const std::vector<std::size_t>& chosen) {
+    std::vector<Group> groups;
+    for (const std::size_t i : chosen) {
+        const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
+            return g.name == file.objects[i].name;
+        });
+        if (same == groups.end()) {
+            groups.push_back({file.objects[i].name, {i}});
+        } else {
+            same->members.push_back(i);
+        }
+    }
+    return groups;
+}
+
+std::string unit_words(const MeshFile& file, const MeshSource& source, const MeshAssembly& mesh) {
+    const char* who = source.units_given ? "as asked"
+                      : file.states_unit ? "says the file"
+                                         : "assumed";
+    const bool own_up = !source.up_given && source.up == 'y';
+    const char* who_up = !own_up ? "as asked" : file.states_up ? "says the file" : "assumed";
+    return fmt::format("1 unit = {:.6g} m ({}), {} is up ({})", mesh.metres_per_unit, who, mesh.up,
+                       who_up);
+}
+
+void list_objects(const MeshFile& file,
+                  const std::vector<std::size_t>& chosen,
+                  const MeshSource& source,
+                  const std::string& name,
+                  Sheet& sheet) {
+    const std::vector<Group> groups = group_objects(file, chosen);
+    std::size_t width = 8;
+    for (const Group& group : groups) {
+        width = std::max(width, group.name.size());
+    }
+    sheet.row("objects", "{:<{}}  {:>9}  {:>9}  {:>9}  {:>5}  {:>5}  {:>7}  {}", "name", width,
+              "vertices", "welded", "triangles", "parts", "loops", "largest", "uv");
+    for (const Group& group : groups) {
+        const MeshAssembly mesh = assemble_mesh(file, group.members, source, name);
+        const ImportedMesh& m = mesh.imported;
+        const MeshMeasure measure = measure_mesh(m.mesh);
+        sheet.row("", "{:<{}}  {:>9}  {:>9}  {:>9}  {:>5}  {:>5}  {:>5.3g} m  {}", group.name,
+                  width, m.vertices_in_file, m.mesh.positions.size(), m.triangles_in_file,
+                  measure.parts, measure.loops.size(), measure.largest_dimension(),
+                  m.corner_uv.empty() ? "-" : "yes");
+    }
+}
+
+void describe_boundary(const MeshMeasure& m, Sheet& sheet) {
+    if (m.is_closed) {
+        sheet.row("boundary", "none: closed");
+        return;
+    }
+    constexpr std::size_t k_listed = 12;
+    for (std::size_t i = 0; i < std::min(m.loops.size(), k_listed); ++i) {
+        const std::string label = i == 0 ? plural(m.loops.size(), "loop") : "";
+        sheet.row(i == 0 ? "boundary" : "", "{:<10}{:>5} edges, {}", label, m.loops[i].edges,
+                  short_length(m.loops[i].length));
+    }
+    if (m.loops.size() > k_listed) {
+        sheet.row("", "and {} shorter ones", m.loops.size() - k_listed);
+    }
+}
+
+void describe_shape(const MeshMeasure& m, Sheet& sheet) {
+    const Vec3 size = m.high - m.low;
+    sheet.row("size", "{:.4g} x {:.4g} x {:.4g} m (x, y, z), from ({:.4g}, {:.4g}, {:.4g})",
+              size.x(), size.y(), size.z(), m.low.x(), m.low.y(), m.low.z());
+    describe_boundary(m, sheet);
+    sheet.row("edges", "{}: least {}, mean {}, greatest {}", m.edges, short_length(m.edge_min),
+              short_length(m.edge_mean), short_length(m.edge_max));
+    sheet.row("thinnest", "angle {:.3g} deg (triangle {}), altitude {} (triangle {})",
+              m.least_angle * 180.0 / std::numbers::pi, m.least_angle_triangle,
+              short_length(m.least_altitude), m.least_altitude_triangle);
+    sheet.row("area", "{:.4g} m^2", m.area);
+    if (m.is_closed) {
+        sheet.row("volume", "{:.4g} m^3", m.volume);
+    }
+}
+
+void describe_uv(const ImportedMesh& m, Sheet& sheet) {
+    if (m.corner_uv.empty()) {
+        sheet.row("uv", "none");
+        return;
+    }
+    const UvMeasure uv = measure_uv(m.mesh.triangles, m.corner_uv);
+    sheet.row("uv", "{} of the pattern, {} along seams",
+              plural(static_cast<std::size_t>(uv.islands), "island"),
+              plural(uv.seam_edges, "inner edge"));
+}
+
+void describe_counts(const MeshAssembly& mesh, int parts, Sheet& sheet) {
+    const ImportedMesh& m = mesh.imported;
+    sheet.row("vertices", "{} in the file, {} after welding", m.vertices_in_file,
+              m.mesh.positions.size());
+    sheet.row("triangles", "{} in {}{}", m.mesh.triangles.size(),
+              plural(static_cast<std::size_t>(parts), "part"),
+              m.triangles_removed > 0 ? fmt::format(" ({} dropped)", m.triangles_removed) : "");
+}
+
+void describe_defects(const MeshAssembly& mesh, Sheet& sheet) {
+    const MeshDefects& d = mesh.defects;
+    const char* label = "defects";
+    const auto say = [&](const char* what, const auto& elements) {
+        if (!elements.empty()) {
+            sheet.row(label, "{} {}: {}", elements.size(), what, first_few(elements));
+            label = "";
+        }
+    };
+    say("degenerate triangles", d.degenerate);
+    say("triangles with the corners of another", d.duplicates);
+    say("edges with more than two triangles", d.non_manifold_edges);
+    say("edges where the winding breaks", d.winding_edges);
+    say("vertices that join surfaces in a point", d.pinched_vertices);
+    if (label[0] != '\0') {
+        sheet.row(label, "none");
+    }
+    for (const std::string& warning : mesh.imported.warnings) {
+        sheet.row("warning", "{}", warning);
+    }
+}
+
+/// A refusal without the file's name, which stands above it.
+std::string without_name(const std::string& refusal, const std::string& name) {
+    return refusal.starts_with(name + ": ") ? refusal.substr(name.size() + 2) : refusal;
+}
+
+MeshReport
+describe_read_file(const MeshFile& file, const MeshSource& source, bool as_cloth, Sheet sheet) {
+    const std::vector<std::size_t> chosen = choose_objects(file, source.objects, source.file);
+    const MeshAssembly mesh = assemble_mesh(file, chosen, source, source.file);
+    sheet.row("format", "{}", file.format.empty() ? "not named" : file.format);
+    sheet.row("unit, up", "{}", unit_words(file, source, mesh));
+    list_objects(file, chosen, source, source.file, sheet);
+    if (!mesh.imported.mesh.triangles.empty()) {
+        const MeshMeasure measure = measure_mesh(mesh.imported.mesh);
+        describe_counts(mesh, measure.parts, sheet);
+        describe_shape(measure, sheet);
+        describe_uv(mesh.imported, sheet);
+        describe_defects(mesh, sheet);
+    }
+    for (const std::string& refusal : mesh.refusals) {
+        sheet.row("REFUSED", "{}", without_name(refusal, source.file));
+    }
+    for (const std::string& refusal : mesh.cloth_refusals) {
+        sheet.row(as_cloth ? "REFUSED" : "not as cloth", "{}", without_name(refusal, source.file));
+    }
+    return {sheet.text, !mesh.refusals.empty() || (as_cloth && !mesh.cloth_refusals.empty())};
+}
+
+} // namespace
+
+MeshReport
+describe_mesh_file(const std::filesystem::path& file, const MeshSource& source, bool as_cloth) {
+    Sheet sheet;
+    sheet.text = source.file + "\n";
+    try {
+        return describe_read_file(read_mesh_file(file, source.file), source, as_cloth, sheet);
+    } catch (const Error& error) {
+        sheet.row("REFUSED", "{}", without_name(error.what(), source.file));
+        return {sheet.text, true};
+    }
+}
+
+} // namespace weft

@@ -1,0 +1,139 @@
+#include "geometry/mesh_measure.h"
+
+#include "geometry/mesh_check.h"
+#include "geometry/mesh_repair.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace weft {
+
+namespace {
+
+const Vec3& at(const TriangleMesh& mesh, Index v) {
+    assert(v >= 0 && static_cast<std::size_t>(v) < mesh.positions.size());
+    return mesh.positions[static_cast<std::size_t>(v)];
+}
+
+/// Angle at `apex` between the directions to `a` and `b`, rad; exact for thin triangles too.
+double angle_at(const Vec3& apex, const Vec3& a, const Vec3& b) {
+    const Vec3 u = a - apex;
+    const Vec3 v = b - apex;
+    return std::atan2(u.cross(v).norm(), u.dot(v));
+}
+
+void measure_triangles(const TriangleMesh& mesh, MeshMeasure& m) {
+    m.least_angle = m.least_altitude = std::numeric_limits<double>::infinity();
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Triangle& corners = mesh.triangles[t];
+        const Vec3& a = at(mesh, corners[0]);
+        const Vec3& b = at(mesh, corners[1]);
+        const Vec3& c = at(mesh, corners[2]);
+        const double angle = std::min({angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b)});
+        if (angle < m.least_angle) {
+            m.least_angle = angle;
+            m.least_angle_triangle = static_cast<Index>(t);
+        }
+        const double altitude = least_altitude(a, b, c);
+        if (altitude < m.least_altitude) {
+            m.least_altitude = altitude;
+            m.least_altitude_triangle = static_cast<Index>(t);
+        }
+        m.area += triangle_area(a, b, c);
+    }
+}
+
+void measure_edges(const TriangleMesh& mesh, const EdgeTopology& topology, MeshMeasure& m) {
+    m.edges = topology.edges.size();
+    m.edge_min = std::numeric_limits<double>::infinity();
+    double sum = 0.0;
+    for (const MeshEdge& edge : topology.edges) {
+        const double length = (at(mesh, edge.v[1]) - at(mesh, edge.v[0])).norm();
+        m.edge_min = std::min(m.edge_min, length);
+        m.edge_max = std::max(m.edge_max, length);
+        sum += length;
+    }
+    m.edge_mean = sum / static_cast<double>(m.edges);
+}
+
+void measure_loops(const TriangleMesh& mesh, const EdgeTopology& topology, MeshMeasure& m) {
+    for (const std::vector<Index>& loop : boundary_loops(topology)) {
+        LoopMeasure measure{loop.size(), 0.0};
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            measure.length += (at(mesh, loop[(i + 1) % loop.size()]) - at(mesh, loop[i])).norm();
+        }
+        m.loops.push_back(measure);
+    }
+    std::stable_sort(m.loops.begin(), m.loops.end(),
+                     [](const auto& a, const auto& b) { return a.length > b.length; });
+}
+
+} // namespace
+
+MeshMeasure measure_mesh(const TriangleMesh& mesh) {
+    MeshMeasure m;
+    if (mesh.triangles.empty()) {
+        return m;
+    }
+    Eigen::AlignedBox3d box;
+    for (const Vec3& p : mesh.positions) {
+        box.extend(p);
+    }
+    m.low = box.min();
+    m.high = box.max();
+    std::vector<int> part_of_triangle;
+    m.parts = connected_parts(mesh.triangles, part_of_triangle);
+    const EdgeTopology topology = build_edges(mesh.triangles);
+    measure_triangles(mesh, m);
+    measure_edges(mesh, topology, m);
+    measure_loops(mesh, topology, m);
+    m.is_closed = m.loops.empty();
+    m.volume = m.is_closed ? enclosed_volume(mesh.positions, mesh.triangles) : 0.0;
+    return m;
+}
+
+UvMeasure measure_uv(std::span<const Triangle> triangles,
+                     std::span<const std::array<Vec2, 3>> corner_uv) {
+    assert(triangles.size() == corner_uv.size());
+    UvMeasure measure;
+    std::vector<std::size_t> root(triangles.size());
+    std::iota(root.begin(), root.end(), std::size_t{0});
+    const auto find = [&](std::size_t t) {
+        while (root[t] != t) {
+            root[t] = root[root[t]];
+            t = root[t];
+        }
+        return t;
+    };
+    const auto uv_at = [&](Index triangle, Index vertex) {
+        const auto t = static_cast<std::size_t>(triangle);
+        const auto corner = std::find(triangles[t].begin(), triangles[t].end(), vertex);
+        return corner_uv[t][static_cast<std::size_t>(corner - triangles[t].begin())];
+    };
+    // Exporters write uv with six digits; a jump below that is no seam.
+    constexpr double k_same_uv = 1e-5;
+    for (const MeshEdge& edge : build_edges(triangles).edges) {
+        if (edge.is_boundary()) {
+            continue;
+        }
+        const auto jump = [&](Index v) {
+            return (uv_at(edge.triangle[0], v) - uv_at(edge.triangle[1], v)).norm();
+        };
+        if (jump(edge.v[0]) > k_same_uv || jump(edge.v[1]) > k_same_uv) {
+            ++measure.seam_edges;
+        } else {
+            const std::size_t a = find(static_cast<std::size_t>(edge.triangle[0]));
+            const std::size_t b = find(static_cast<std::size_t>(edge.triangle[1]));
+            root[std::max(a, b)] = std::min(a, b);
+        }
+    }
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        measure.islands += root[t] == t ? 1 : 0;
+    }
+    return measure;
+}
+
+} // namespace weft

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+
+#include <span>
+#include <vector>
+
+namespace weft {
+
+/// One boundary loop: how many edges, how long.
+struct LoopMeasure {
+    std::size_t edges = 0;
+    double length = 0.0; ///< m
+};
+
+/// What a person wants to know of a mesh before simulating it. Lengths in m.
+struct MeshMeasure {
+    Vec3 low{0.0, 0.0, 0.0}; ///< of the bounding box
+    Vec3 high{0.0, 0.0, 0.0};
+    int parts = 0;
+    std::vector<LoopMeasure> loops; ///< longest first
+    std::size_t edges = 0;
+    double edge_min = 0.0;
+    double edge_mean = 0.0;
+    double edge_max = 0.0;
+    double least_angle = 0.0; ///< rad
+    Index least_angle_triangle = k_no_index;
+    double least_altitude = 0.0;
+    Index least_altitude_triangle = k_no_index;
+    double area = 0.0;
+    bool is_closed = false;
+    double volume = 0.0; ///< m^3; 0 when open
+
+    double largest_dimension() const { return (high - low).maxCoeff(); }
+};
+
+/// Measures a mesh; all zero when it has no triangles. Indices must be in range (asserted).
+MeshMeasure measure_mesh(const TriangleMesh& mesh);
+
+/// How a flat pattern lies on a mesh.
+struct UvMeasure {
+    std::size_t seam_edges = 0; ///< inner edges across which uv jumps
+    int islands = 0;            ///< parts of the pattern
+};
+
+/// @param corner_uv  #T, uv of each triangle corner
+UvMeasure measure_uv(std::span<const Triangle> triangles,
+                     std::span<const std::array<Vec2, 3>> corner_uv);
+
+} // namespace weft
