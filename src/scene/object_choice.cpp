@@ -1,9 +1,9 @@
 #include "scene/object_choice.h"
 
 #include "base/error.h"
+#include "scene/nearest_key.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace weft {
 
@@ -50,30 +50,7 @@ std::string list_names(const std::vector<std::string>& names) {
                                    : text;
 }
 
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row.back();
-}
-
 } // namespace
-
-std::string nearest_name(const std::string& wanted, std::span<const std::string> known) {
-    const auto nearest =
-        std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-            return edit_distance(wanted, a) < edit_distance(wanted, b);
-        });
-    return nearest == known.end() ? "" : *nearest;
-}
 
 std::vector<std::size_t>
 choose_objects(const MeshFile& file, std::span<const std::string> wanted, const std::string& name) {
@@ -82,7 +59,7 @@ choose_objects(const MeshFile& file, std::span<const std::string> wanted, const 
                                        [&](const FileObject& o) { return is_called(o, w); });
         if (!found) {
             fail_input("{}: object = \"{}\": not in the file; nearest is \"{}\" (it has {})", name,
-                       w, nearest_name(w, all_names(file)), list_names(object_names(file)));
+                       w, nearest_key(w, all_names(file)), list_names(object_names(file)));
         }
     }
     std::vector<std::size_t> chosen;

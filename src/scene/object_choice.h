@@ -13,7 +13,4 @@ namespace weft {
 std::vector<std::size_t>
 choose_objects(const MeshFile& file, std::span<const std::string> wanted, const std::string& name);
 
-/// The one of `known` that takes the fewest edits (Levenshtein 1966) from `wanted`; "" for none.
-std::string nearest_name(const std::string& wanted, std::span<const std::string> known);
-
 } // namespace weft
