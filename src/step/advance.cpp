@@ -1,0 +1,210 @@
+#include "step/advance.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "step/held.h"
+#include "step/implicit_step.h"
+
+#include <cmath>
+
+namespace weft {
+
+namespace {
+
+/// Length of an automatic substep, s. Longer: implicit Euler damps folds away and one linearisation
+/// overshoots; shorter: the time goes into substeps that change nothing visible.
+constexpr double k_automatic_substep = 0.01;
+
+/// A substep is halved at most this often: 1/1024 of its first length is the floor.
+constexpr int k_most_halvings = 10;
+
+/// A vertex that leaves its object's mean motion by more than this share of the object's diagonal
+/// in one substep has been thrown, not simulated.
+constexpr double k_greatest_motion = 0.25;
+
+/// What a frame can be taken back to.
+struct Snapshot {
+    double time, history_dt;
+    std::vector<Vec3> positions, velocities, previous_positions, previous_velocities;
+
+    explicit Snapshot(const World& world)
+        : time(world.time), history_dt(world.history_dt), positions(world.positions),
+          velocities(world.velocities), previous_positions(world.previous_positions),
+          previous_velocities(world.previous_velocities) {}
+
+    void restore(World& world) const {
+        world.time = time;
+        world.history_dt = history_dt;
+        world.positions = positions;
+        world.velocities = velocities;
+        world.previous_positions = previous_positions;
+        world.previous_velocities = previous_velocities;
+    }
+};
+
+void add_contact(ContactReport& total, const ContactReport& substep) {
+    total.contacts_obstacle = std::max(total.contacts_obstacle, substep.contacts_obstacle);
+    total.contacts_self = std::max(total.contacts_self, substep.contacts_self);
+    total.impacts += substep.impacts;
+    total.zones += substep.zones;
+    total.scaled_islands += substep.scaled_islands;
+    total.unresolved = substep.unresolved;
+    total.min_gap = std::min(total.min_gap, substep.min_gap);
+}
+
+void add_seconds(StageSeconds& total, const ImplicitReport& step, const ContactReport& contact) {
+    total.forces += step.seconds_forces;
+    total.assembly += step.seconds_assembly;
+    total.solve += step.seconds_solve;
+    total.contact_broad += contact.seconds_broad;
+    total.contact_proximity += contact.seconds_proximity;
+    total.contact_impact += contact.seconds_impact;
+}
+
+/// Does any vertex leave its cloth's mean motion too far?
+bool moves_too_far(const World& world, std::span<const Vec3> end_positions) {
+    for (const Cloth& cloth : world.cloths) {
+        const auto first = static_cast<std::size_t>(cloth.first_vertex);
+        const auto count = static_cast<std::size_t>(cloth.vertex_count);
+        Eigen::AlignedBox3d box;
+        Vec3 mean = Vec3::Zero();
+        for (std::size_t i = first; i < first + count; ++i) {
+            box.extend(world.positions[i]);
+            mean += end_positions[i] - world.positions[i];
+        }
+        mean /= static_cast<double>(count);
+        const double limit = k_greatest_motion * box.diagonal().norm();
+        for (std::size_t i = first; i < first + count; ++i) {
+            if ((end_positions[i] - world.positions[i] - mean).norm() > limit) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+struct Stepper::Impl {
+    Impl(const World& world, const SceneParams& scene, const ContactParams& contact)
+        : scene(scene), implicit(world, scene), solver(world, contact),
+          contact_enabled(contact.enabled) {}
+
+    bool substep(World& world, double dt, FrameReport& report);
+    void finish(World& world, double dt);
+
+    SceneParams scene;
+    ImplicitStep implicit;
+    ContactSolver solver;
+    bool contact_enabled;
+    HeldVertices held;
+    std::vector<Vec3> end_positions, end_velocities;       ///< as if nothing touched
+    std::vector<Vec3> average_velocities, free_velocities; ///< with and without contact
+};
+
+/// One substep in the order of Bender and Deul 2013, section 3. False: it failed, nothing changed.
+bool Stepper::Impl::substep(World& world, double dt, FrameReport& report) {
+    // 1. external forces and 2. one implicit step of all deformables
+    find_held(world, world.time + dt, held);
+    const ImplicitReport step = implicit.solve(world, held, dt, end_positions, end_velocities);
+    report.cg_iterations += step.cg_iterations;
+    if (!step.converged || moves_too_far(world, end_positions)) {
+        return false;
+    }
+    report.residual = std::max(report.residual, step.residual);
+
+    // 3. average velocities
+    free_velocities.resize(world.vertex_count());
+    parallel_for(world.vertex_count(), [&](std::size_t i) {
+        free_velocities[i] = (end_positions[i] - world.positions[i]) / dt;
+    });
+    average_velocities = free_velocities;
+
+    // 4. proximities with friction, and 5. impacts until none is left
+    ContactReport contact;
+    if (contact_enabled) {
+        contact = solver.resolve(world, average_velocities, held.flags, dt);
+    }
+    add_contact(report.contact, contact);
+    add_seconds(report.seconds, step, contact);
+
+    // 6. final positions and velocities
+    finish(world, dt);
+    return true;
+}
+
+/// Takes the motion that contact left. A vertex that nothing touched keeps the integrator's result;
+/// one that was touched moves with its average velocity and restarts its two-step history so that
+/// the next step treats it as implicit Euler would.
+void Stepper::Impl::finish(World& world, double dt) {
+    const bool two_step = scene.integrator == Integrator::Bdf2;
+    parallel_for(world.vertex_count(), [&](std::size_t i) {
+        const Vec3 x = world.positions[i];
+        const Vec3 v = world.velocities[i];
+        Vec3 previous_x = x;
+        Vec3 previous_v = v;
+        if (average_velocities[i] == free_velocities[i]) {
+            world.positions[i] = end_positions[i];
+            world.velocities[i] = end_velocities[i];
+        } else {
+            const Vec3 step_change = end_velocities[i] - v; // acceleration times dt, before contact
+            world.positions[i] = x + dt * average_velocities[i];
+            world.velocities[i] = average_velocities[i];
+            previous_v = world.velocities[i] - step_change;
+            previous_x = world.positions[i] - dt * world.velocities[i] - dt * step_change;
+        }
+        if (two_step) {
+            world.previous_positions[i] = previous_x;
+            world.previous_velocities[i] = previous_v;
+        }
+    });
+    world.history_dt = two_step ? dt : 0.0;
+}
+
+Stepper::Stepper(const World& world, const SceneParams& scene, const ContactParams& contact)
+    : impl_(std::make_unique<Impl>(world, scene, contact)) {}
+Stepper::~Stepper() = default;
+Stepper::Stepper(Stepper&&) noexcept = default;
+
+std::optional<FrameReport> Stepper::advance_frame(World& world,
+                                                  const std::function<bool()>& should_stop) {
+    const Snapshot start(world);
+    const double frame_dt = 1.0 / impl_->scene.fps;
+    const int base_substeps =
+        impl_->scene.substeps > 0
+            ? impl_->scene.substeps
+            : static_cast<int>(std::ceil(frame_dt / k_automatic_substep - 1e-9));
+    const double frame_start = (world.frame - 1) / impl_->scene.fps;
+    const std::int64_t ticks_per_substep = std::int64_t{1} << k_most_halvings;
+    const std::int64_t end = base_substeps * ticks_per_substep;
+
+    FrameReport report;
+    int halvings = 0;
+    for (std::int64_t tick = 0; tick < end;) {
+        if (should_stop && should_stop()) {
+            start.restore(world);
+            return std::nullopt;
+        }
+        const std::int64_t length = ticks_per_substep >> halvings;
+        const double dt = std::ldexp(frame_dt / base_substeps, -halvings);
+        world.time = frame_start + frame_dt * static_cast<double>(tick) / static_cast<double>(end);
+        if (impl_->substep(world, dt, report)) {
+            tick += length;
+            ++report.substeps;
+            if (halvings > 0 && tick % (2 * length) == 0) {
+                --halvings; // only where the longer substep starts on its own grid
+            }
+        } else if (++report.retries; halvings++ == k_most_halvings) {
+            throw Error(
+                ExitCode::Diverged,
+                fmt::format("frame {}: no substep down to {:.3g} s converges at t = {:.6g} s; "
+                            "softer material, more substeps or slower motion may help",
+                            world.frame + 1, dt, world.time));
+        }
+    }
+    ++world.frame;
+    world.time = (world.frame - 1) / impl_->scene.fps;
+    return report;
+}
+
+} // namespace weft

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "forces/constant_bending.h"
+#include "forces/element_terms.h"
+#include "state/world.h"
+#include "step/assembler.h"
+
+#include <memory>
+
+namespace weft {
+
+/// All element forces of all deformables, and the matrix they make. Gravity and mass damping are
+/// not here: they join no vertices. Vectors are by vertex of the world.
+class ForceSystem {
+public:
+    ForceSystem(const World& world, const SceneParams& params);
+    ~ForceSystem();
+
+    const Assembler& assembler() const { return *assembler_; }
+
+    /// Forces (N) at positions x and velocities v, and the element blocks for `assemble`.
+    void evaluate(std::span<const Vec3> x,
+                  std::span<const Vec3> v,
+                  SystemScales scales,
+                  std::span<Vec3> forces);
+
+    /// The same forces without the blocks.
+    void forces_only(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> forces);
+
+    /// matrix = diagonal (kg, by vertex) + stiffness and damping, scaled as in the last `evaluate`.
+    void assemble(std::span<const double> diagonal, BlockMatrix& matrix) const;
+
+private:
+    class Group;
+    template <typename Elements> class GroupOf;
+    struct Bending {
+        ConstantBending elements;
+        Index first_vertex;
+        Index vertex_count;
+    };
+
+    template <typename Elements> void add_group(const Cloth& cloth, Elements elements);
+    void bending_forces(std::span<const Vec3> x);
+
+    std::vector<std::unique_ptr<Group>> groups_; ///< in the order of their element arrays
+    std::vector<Bending> bendings_;              ///< after them; blocks constant
+    std::unique_ptr<Assembler> assembler_;
+    SystemScales scales_;
+    std::vector<Vec3> element_forces_;
+    std::vector<Mat3> element_blocks_;
+};
+
+} // namespace weft

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "scene/params.h"
+#include "state/world.h"
+#include "step/conjugate_gradient.h"
+#include "step/force_system.h"
+
+namespace weft {
+
+/// Vertices whose motion is prescribed in a substep.
+struct HeldVertices {
+    std::vector<char> flags;   ///< #V; 1 = held
+    std::vector<Vec3> targets; ///< #V; position at the end of the substep, m; of held vertices only
+};
+
+/// What one implicit step did.
+struct ImplicitReport {
+    int cg_iterations = 0;
+    int newton_iterations = 0;
+    double residual = 0.0;  ///< greatest of the linear solves
+    bool converged = false; ///< false also when something is not finite
+    double seconds_forces = 0.0, seconds_assembly = 0.0, seconds_solve = 0.0;
+};
+
+/// Step 2 of a substep: the continuum model alone, all deformables in one block system.
+///
+/// Both integrators solve, for the end velocity v+, with x(v) = x_base + beta v,
+///
+///     M (v+ - v_base) = beta f(x(v+), v+)
+///
+///     implicit Euler   beta = dt       v_base = v               x_base = x
+///     BDF2             beta = 2 dt/3   v_base = (4 v - v-)/3    x_base = (4 x - x-)/3
+///
+/// by Newton's method from x(v+) = x, with A = M + beta D + beta^2 K. One iteration of implicit
+/// Euler is the linearised step of Baraff and Witkin 1998 and of Bender and Deul 2013. Held
+/// vertices are eliminated (rows and columns of A become the identity).
+class ImplicitStep {
+public:
+    ImplicitStep(const World& world, const SceneParams& params);
+
+    /// Position and velocity at the end of a substep of length dt (s) as if nothing touched; the
+    /// world is not changed.
+    ImplicitReport solve(const World& world,
+                         const HeldVertices& held,
+                         double dt,
+                         std::vector<Vec3>& end_positions,
+                         std::vector<Vec3>& end_velocities);
+
+private:
+    void start(const World& world, double dt);
+    bool newton_iteration(const HeldVertices& held, bool is_first, ImplicitReport& report);
+    void find_residual();
+    void eliminate_held(const HeldVertices& held);
+    double line_search(double slope_start);
+    void move_to(std::span<const Vec3> velocities, std::span<Vec3> positions) const;
+    void to_rows(std::span<const Vec3> by_vertex, std::span<Vec3> by_row) const;
+    void to_vertices(std::span<const Vec3> by_row, std::span<Vec3> by_vertex) const;
+
+    SceneParams params_;
+    std::vector<double> masses_;
+    std::vector<double> mass_damping_; ///< #V, alpha * m, kg/s
+    ForceSystem forces_;
+    BlockMatrix matrix_;
+    IncompleteCholesky preconditioner_;
+    ConjugateGradient cg_;
+
+    double beta_ = 0.0;
+    double floor_ =
+        0.0; ///< impulse of gravity over a substep, N s: less than a share of it is noise
+    std::vector<Vec3> x_base_, v_base_, guess_;
+    std::vector<Vec3> x_, v_, force_, residual_, change_; ///< of the current iterate, by vertex
+    std::vector<Vec3> trial_x_, trial_v_;
+    std::vector<Vec3> row_rhs_, row_change_;
+    std::vector<double> diagonal_;
+};
+
+} // namespace weft
