@@ -49,15 +49,23 @@ void compress(std::span<const std::pair<Index, std::uint32_t>> pairs,
 
 } // namespace
 
-Assembler::Assembler(std::size_t vertex_count, std::span<const ElementSet> sets) {
+Assembler::Assembler(std::size_t vertex_count,
+                     std::span<const ElementSet> sets,
+                     std::span<const ElementSet> constant_sets,
+                     std::span<const double> constant_blocks) {
+    std::vector<ElementSet> all(sets.begin(), sets.end());
+    all.insert(all.end(), constant_sets.begin(), constant_sets.end());
     for (const ElementSet& set : sets) {
         block_count_ += set.count() * set.blocks_per_element();
+    }
+    for (const ElementSet& set : all) {
         force_count_ += set.nodes.size();
     }
     assert(block_count_ < std::numeric_limits<std::uint32_t>::max() / 2);
-    build_pattern(vertex_count, sets);
+    build_pattern(vertex_count, all);
     build_block_sources(sets);
-    build_force_sources(vertex_count, sets);
+    sum_constant_blocks(constant_sets, constant_blocks);
+    build_force_sources(vertex_count, all);
 }
 
 void Assembler::build_pattern(std::size_t vertex_count, std::span<const ElementSet> sets) {
@@ -73,26 +81,41 @@ void Assembler::build_pattern(std::size_t vertex_count, std::span<const ElementS
     for (std::size_t v = 0; v < vertex_count; ++v) {
         vertex_of_row_[static_cast<std::size_t>(row_of_vertex_[v])] = static_cast<Index>(v);
     }
-}
-
-void Assembler::build_block_sources(std::span<const ElementSet> sets) {
-    std::vector<Index> upper_of_place(pattern_.blocks.size(), k_no_index);
+    upper_of_place_.assign(pattern_.blocks.size(), k_no_index);
     for (std::size_t r = 0; r < pattern_.rows(); ++r) {
         for (Index k = pattern_.diagonal[r]; k < pattern_.row_begin[r + 1]; ++k) {
             const Index c = pattern_.column[static_cast<std::size_t>(k)];
-            upper_of_place[static_cast<std::size_t>(k)] = static_cast<Index>(uppers_.size());
+            upper_of_place_[static_cast<std::size_t>(k)] = static_cast<Index>(uppers_.size());
             uppers_.push_back({k, find_block(pattern_, c, static_cast<Index>(r))});
         }
     }
+}
+
+Index Assembler::upper_of(Index vertex_a, Index vertex_b, bool& transposed) const {
+    const Index row = row_of_vertex_[static_cast<std::size_t>(vertex_a)];
+    const Index col = row_of_vertex_[static_cast<std::size_t>(vertex_b)];
+    transposed = row > col;
+    const Index place = find_block(pattern_, std::min(row, col), std::max(row, col));
+    return upper_of_place_[static_cast<std::size_t>(place)];
+}
+
+void Assembler::build_block_sources(std::span<const ElementSet> sets) {
     std::vector<std::pair<Index, std::uint32_t>> pairs;
     for_each_block(sets, [&](std::size_t block, Index a, Index b) {
-        const Index row = row_of_vertex_[static_cast<std::size_t>(a)];
-        const Index col = row_of_vertex_[static_cast<std::size_t>(b)];
-        const Index place = find_block(pattern_, std::min(row, col), std::max(row, col));
-        pairs.emplace_back(upper_of_place[static_cast<std::size_t>(place)],
-                           static_cast<std::uint32_t>(2 * block + (row > col ? 1 : 0)));
+        bool transposed = false;
+        const Index upper = upper_of(a, b, transposed);
+        pairs.emplace_back(upper, static_cast<std::uint32_t>(2 * block + (transposed ? 1 : 0)));
     });
     compress(pairs, uppers_.size(), source_begin_, sources_);
+}
+
+void Assembler::sum_constant_blocks(std::span<const ElementSet> sets,
+                                    std::span<const double> blocks) {
+    constant_.assign(uppers_.size(), 0.0);
+    for_each_block(sets, [&](std::size_t block, Index a, Index b) {
+        bool transposed = false; // a scalar times the identity is its own transpose
+        constant_[static_cast<std::size_t>(upper_of(a, b, transposed))] += blocks[block];
+    });
 }
 
 void Assembler::build_force_sources(std::size_t vertex_count, std::span<const ElementSet> sets) {
@@ -110,12 +133,13 @@ void Assembler::build_force_sources(std::size_t vertex_count, std::span<const El
 }
 
 void Assembler::assemble(std::span<const Mat3> element_blocks,
+                         double constant_scale,
                          std::span<const double> diagonal,
                          BlockMatrix& matrix) const {
     assert(element_blocks.size() == block_count_);
     matrix.blocks.resize(pattern_.blocks.size());
     parallel_for(uppers_.size(), [&](std::size_t u) {
-        Mat3 sum = Mat3::Zero();
+        Mat3 sum = (constant_scale * constant_[u]) * Mat3::Identity();
         for (std::size_t s = source_begin_[u]; s < source_begin_[u + 1]; ++s) {
             const Mat3& block = element_blocks[sources_[s] / 2];
             if (sources_[s] % 2 == 0) {
