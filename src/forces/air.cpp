@@ -57,7 +57,12 @@ AirElements::on_face(std::size_t t, std::span<const Vec3> x, std::span<const Vec
     const auto i1 = static_cast<std::size_t>(nodes_[3 * t + 1]);
     const auto i2 = static_cast<std::size_t>(nodes_[3 * t + 2]);
     const Vec3 doubled_area_normal = (x[i1] - x[i0]).cross(x[i2] - x[i0]);
-    AirForce air = air_drag(doubled_area_normal, (v[i0] + v[i1] + v[i2]) / 3.0 - wind_, density_);
+    const Vec3 velocity = (v[i0] + v[i1] + v[i2]) / 3.0;
+    const Vec3 tangent_at = reference_.empty()
+                                ? velocity
+                                : Vec3((reference_[i0] + reference_[i1] + reference_[i2]) / 3.0);
+    AirForce air = air_drag(doubled_area_normal, tangent_at - wind_, density_);
+    air.force -= air.damping * (velocity - tangent_at);
     air.force += 0.5 * pressure_ * doubled_area_normal;
     return air;
 }

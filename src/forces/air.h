@@ -37,6 +37,11 @@ public:
     /// No elements without air and pressure.
     AirElements(const Cloth& cloth, const SceneParams& scene);
 
+    /// From now on drag is linear in the velocity, tangent to the law at these velocities (#V of
+    /// the cloth, m/s): an implicit step whose first iterate is far from them still sees the right
+    /// drag.
+    void linearise_at(std::span<const Vec3> v) { reference_.assign(v.begin(), v.end()); }
+
     std::size_t size() const { return nodes_.size() / 3; }
     std::span<const Index> nodes() const { return nodes_; }
 
@@ -58,6 +63,7 @@ private:
     Vec3 wind_;
     double pressure_;
     std::vector<Index> nodes_;
+    std::vector<Vec3> reference_; ///< #V, m/s; empty: the law itself
 };
 
 } // namespace weft

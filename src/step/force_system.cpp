@@ -1,5 +1,7 @@
 #include "step/force_system.h"
 
+#include "forces/air.h"
+#include "forces/bend_damping.h"
 #include "forces/membrane_elements.h"
 
 namespace weft {
@@ -9,6 +11,7 @@ class ForceSystem::Group {
 public:
     virtual ~Group() = default;
     virtual ElementSet set() const = 0;
+    virtual void start_substep(std::span<const Vec3> v) = 0;
     virtual void evaluate(std::span<const Vec3> x,
                           std::span<const Vec3> v,
                           SystemScales scales,
@@ -26,6 +29,11 @@ public:
 
     ElementSet set() const override {
         return {Elements::k_nodes, elements_.nodes(), static_cast<Index>(first_)};
+    }
+    void start_substep(std::span<const Vec3> v) override {
+        if constexpr (requires { elements_.linearise_at(v); }) {
+            elements_.linearise_at(v.subspan(first_, count_));
+        }
     }
     void evaluate(std::span<const Vec3> x,
                   std::span<const Vec3> v,
@@ -52,9 +60,11 @@ template <typename Elements> void ForceSystem::add_group(const Cloth& cloth, Ele
     }
 }
 
-ForceSystem::ForceSystem(const World& world, const SceneParams&) {
+ForceSystem::ForceSystem(const World& world, const SceneParams& params) {
     for (const Cloth& cloth : world.cloths) {
         add_group(cloth, MembraneElements(cloth));
+        add_group(cloth, BendDampingElements(cloth));
+        add_group(cloth, AirElements(cloth, params));
         bendings_.push_back({ConstantBending(cloth), cloth.first_vertex, cloth.vertex_count});
     }
     std::vector<ElementSet> sets;
@@ -77,6 +87,12 @@ ForceSystem::ForceSystem(const World& world, const SceneParams&) {
 }
 
 ForceSystem::~ForceSystem() = default;
+
+void ForceSystem::start_substep(std::span<const Vec3> v) {
+    for (const auto& group : groups_) {
+        group->start_substep(v);
+    }
+}
 
 void ForceSystem::evaluate(std::span<const Vec3> x,
                            std::span<const Vec3> v,

@@ -18,6 +18,9 @@ public:
 
     const Assembler& assembler() const { return *assembler_; }
 
+    /// Forces that are linearised once a substep are so from now on at velocities v.
+    void start_substep(std::span<const Vec3> v);
+
     /// Forces (N) at positions x and velocities v, and the element blocks for `assemble`.
     void evaluate(std::span<const Vec3> x,
                   std::span<const Vec3> v,

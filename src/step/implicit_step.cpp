@@ -56,6 +56,7 @@ ImplicitReport ImplicitStep::solve(const World& world,
                                    std::vector<Vec3>& end_velocities) {
     ImplicitReport report;
     start(world, dt);
+    forces_.start_substep(world.velocities);
     report.converged = true;
     for (int i = 0; i < params_.newton && report.converged; ++i) {
         if (!newton_iteration(held, i == 0, report)) {

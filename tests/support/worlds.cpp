@@ -26,14 +26,6 @@ World build_quietly(const Scene& scene) {
     return build_world(scene, [](const std::string& line) { throw std::runtime_error(line); });
 }
 
-Vec3 momentum(const World& world) {
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
-        sum += world.masses[i] * world.velocities[i];
-    }
-    return sum;
-}
-
 Vec3 angular_momentum(const World& world) {
     Vec3 sum = Vec3::Zero();
     for (std::size_t i = 0; i < world.vertex_count(); ++i) {

@@ -14,9 +14,6 @@ Scene scene_of(const ClothParams& cloth);
 /// build_world of a scene that must give no warning.
 World build_quietly(const Scene& scene);
 
-/// Total linear momentum, kg m/s.
-Vec3 momentum(const World& world);
-
 /// Total angular momentum about the origin, kg m^2/s.
 Vec3 angular_momentum(const World& world);
 
