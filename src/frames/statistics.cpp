@@ -1,0 +1,154 @@
+#include "frames/statistics.h"
+
+#include "base/parallel.h"
+#include "frames/cache.h"
+#include "frames/csv.h"
+#include "frames/triangle_measures.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace weft {
+
+namespace {
+
+constexpr std::string_view k_header =
+    "frame,time_s,substeps,retries,cg_iterations,residual,vertices,triangles,refined,coarsened,"
+    "contacts_obstacle,contacts_self,unresolved,min_gap_m,stretch_min,stretch_mean,stretch_p95,"
+    "stretch_max,shear_max_deg,kinetic_J,membrane_J,bending_J,gravity_J,com_x_m,com_y_m,com_z_m,"
+    "max_speed_m_s,state_hash,impacts,impact_zones,scaled_islands";
+
+/// A triangle's stretch and its share of the whole.
+struct Weighted {
+    double value, area;
+};
+
+/// Least value that at least `share` of the area does not exceed.
+double percentile(std::vector<Weighted>& values, double share) {
+    std::sort(values.begin(), values.end(),
+              [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
+    double total = 0.0;
+    for (const Weighted& w : values) {
+        total += w.area;
+    }
+    double sum = 0.0;
+    for (const Weighted& w : values) {
+        sum += w.area;
+        if (sum >= share * total) {
+            return w.value;
+        }
+    }
+    return values.back().value;
+}
+
+/// Cells of a row, joined by commas.
+class Row {
+public:
+    Row& operator<<(double value) { return add(csv_number(value)); }
+    Row& operator<<(int value) { return add(std::to_string(value)); }
+    Row& operator<<(std::size_t value) { return add(std::to_string(value)); }
+    Row& add(const std::string& cell) {
+        text_ += (text_.empty() ? "" : ",") + cell;
+        return *this;
+    }
+    const std::string& text() const { return text_; }
+
+private:
+    std::string text_;
+};
+
+} // namespace
+
+std::string_view statistics_header() {
+    return k_header;
+}
+
+std::string statistics_row(const FrameStatistics& s) {
+    const ContactReport& contact = s.report.contact;
+    Row row;
+    row << s.frame << s.time << s.report.substeps << s.report.retries << s.report.cg_iterations
+        << s.report.residual << s.vertices << s.triangles << s.report.refined << s.report.coarsened
+        << contact.contacts_obstacle << contact.contacts_self
+        << std::max(contact.unresolved, s.crossings) << contact.min_gap << s.strain.stretch_min
+        << s.strain.stretch_mean << s.strain.stretch_p95 << s.strain.stretch_max
+        << s.strain.shear_max_deg << s.motion.kinetic << s.motion.membrane << s.motion.bending
+        << s.motion.gravity << s.motion.centre_of_mass.x() << s.motion.centre_of_mass.y()
+        << s.motion.centre_of_mass.z() << s.motion.max_speed;
+    row.add(fmt::format("{:016x}", s.state_hash));
+    row << contact.impacts << contact.zones << contact.scaled_islands;
+    return row.text();
+}
+
+StrainStatistics measure_strain(const World& world) {
+    StrainStatistics statistics{.stretch_min = std::numeric_limits<double>::infinity(),
+                                .stretch_max = 0.0};
+    std::vector<Weighted> stretches;
+    double sum = 0.0;
+    double area = 0.0;
+    for (const Cloth& cloth : world.cloths) {
+        const std::vector<StrainMeasures> measures = measure_triangles(world, cloth);
+        for (std::size_t t = 0; t < measures.size(); ++t) {
+            const StrainMeasures& m = measures[t];
+            stretches.push_back({m.stretch_max, cloth.rest[t].area});
+            sum += m.stretch_max * cloth.rest[t].area;
+            area += cloth.rest[t].area;
+            statistics.stretch_min = std::min(statistics.stretch_min, m.stretch_min);
+            statistics.stretch_max = std::max(statistics.stretch_max, m.stretch_max);
+            statistics.shear_max_deg = std::max(statistics.shear_max_deg, std::abs(m.shear_deg));
+        }
+    }
+    if (stretches.empty()) {
+        return {};
+    }
+    statistics.stretch_mean = sum / area;
+    statistics.stretch_p95 = percentile(stretches, 0.95);
+    return statistics;
+}
+
+Statistician::Statistician(const World& world, const SceneParams& scene)
+    : gravity_(scene.gravity), fps_(scene.fps) {
+    for (const Cloth& cloth : world.cloths) {
+        membranes_.emplace_back(cloth);
+        bendings_.emplace_back(cloth);
+    }
+}
+
+MotionStatistics Statistician::measure_motion(const World& world) const {
+    MotionStatistics motion;
+    double mass = 0.0;
+    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
+        const double speed_squared = world.velocities[i].squaredNorm();
+        motion.kinetic += 0.5 * world.masses[i] * speed_squared;
+        motion.gravity -= world.masses[i] * gravity_.dot(world.positions[i]);
+        motion.centre_of_mass += world.masses[i] * world.positions[i];
+        motion.max_speed = std::max(motion.max_speed, speed_squared);
+        mass += world.masses[i];
+    }
+    motion.max_speed = std::sqrt(motion.max_speed);
+    if (mass > 0.0) {
+        motion.centre_of_mass /= mass;
+    }
+    for (std::size_t c = 0; c < world.cloths.size(); ++c) {
+        const auto x = world.positions_of(world.cloths[c]);
+        motion.membrane += membranes_[c].energy(x);
+        motion.bending += bendings_[c].energy(x);
+    }
+    return motion;
+}
+
+FrameStatistics
+Statistician::measure(const World& world, const FrameReport& report, int crossings) const {
+    return {.frame = world.frame,
+            .time = frame_time(world.frame, fps_),
+            .report = report,
+            .vertices = world.vertex_count(),
+            .triangles = world.triangle_count(),
+            .crossings = crossings,
+            .strain = measure_strain(world),
+            .motion = measure_motion(world),
+            .state_hash = state_hash(world)};
+}
+
+} // namespace weft

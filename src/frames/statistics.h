@@ -1,0 +1,68 @@
+#pragma once
+
+#include "forces/constant_bending.h"
+#include "forces/membrane_elements.h"
+#include "step/advance.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace weft {
+
+/// Stretch and shear over all cloth triangles, weighted by their rest area.
+struct StrainStatistics {
+    double stretch_min = 1.0;  ///< least principal stretch
+    double stretch_mean = 1.0; ///< mean, 95th percentile and greatest of each triangle's greater
+    double stretch_p95 = 1.0;  ///< principal stretch
+    double stretch_max = 1.0;
+    double shear_max_deg = 0.0; ///< greatest distance of weft and warp from a right angle
+};
+
+/// Energies and motion of all cloth.
+struct MotionStatistics {
+    double kinetic = 0.0, membrane = 0.0, bending = 0.0; ///< J
+    double gravity = 0.0;                                ///< J; 0 at the origin
+    Vec3 centre_of_mass = Vec3::Zero();                  ///< m
+    double max_speed = 0.0;                              ///< m/s
+};
+
+/// Numbers of one frame; a row of stats.csv.
+struct FrameStatistics {
+    int frame = 1;
+    double time = 0.0;
+    FrameReport report; ///< of the way to this frame; empty for the first
+    std::size_t vertices = 0, triangles = 0;
+    int crossings = 0; ///< pairs of triangles that cross at the frame, by the exact test
+    StrainStatistics strain;
+    MotionStatistics motion;
+    std::uint64_t state_hash = 0;
+};
+
+/// Names of the columns of stats.csv, with units, joined by commas; design, section 5.
+std::string_view statistics_header();
+
+/// The row; depends on the numbers alone (no times), the shortest text of each.
+std::string statistics_row(const FrameStatistics& statistics);
+
+StrainStatistics measure_strain(const World& world);
+
+/// Measures frames of one run; keeps the elements whose energies it sums.
+class Statistician {
+public:
+    Statistician(const World& world, const SceneParams& scene);
+
+    /// @param report    what advancing to this frame did
+    /// @param crossings pairs of crossing triangles now
+    FrameStatistics measure(const World& world, const FrameReport& report, int crossings) const;
+
+private:
+    MotionStatistics measure_motion(const World& world) const;
+
+    Vec3 gravity_;
+    double fps_;
+    std::vector<MembraneElements> membranes_; ///< one a cloth
+    std::vector<ConstantBending> bendings_;
+};
+
+} // namespace weft

@@ -1,0 +1,132 @@
+#include "base/parallel.h"
+#include "frames/csv.h"
+#include "frames/statistics.h"
+#include "support/grid_world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace weft {
+namespace {
+
+CsvTable table_of(const FrameStatistics& statistics) {
+    return parse_csv(std::string(statistics_header()) + "\n" + statistics_row(statistics) + "\n",
+                     "stats.csv");
+}
+
+TEST(Statistics, BeginWithTheColumnsOfTheDesign) {
+    constexpr std::string_view k_design =
+        "frame,time_s,substeps,retries,cg_iterations,residual,vertices,triangles,refined,"
+        "coarsened,contacts_obstacle,contacts_self,unresolved,min_gap_m,stretch_min,stretch_mean,"
+        "stretch_p95,stretch_max,shear_max_deg,kinetic_J,membrane_J,bending_J,gravity_J,com_x_m,"
+        "com_y_m,com_z_m,max_speed_m_s,state_hash";
+
+    EXPECT_TRUE(statistics_header().starts_with(k_design));
+}
+
+TEST(Statistics, PutEachNumberUnderItsName) {
+    FrameStatistics statistics{.frame = 11, .time = 0.4, .vertices = 9, .triangles = 8};
+    statistics.report = {.substeps = 5, .retries = 1, .cg_iterations = 70, .residual = 1e-5};
+    statistics.report.contact = {.contacts_obstacle = 3, .contacts_self = 4, .min_gap = 5e-4};
+    statistics.strain = {0.9, 1.0, 1.1, 1.2, 7.5};
+    statistics.motion = {1.0, 2.0, 3.0, 4.0, Vec3(5.0, 6.0, 7.0), 8.0};
+    statistics.state_hash = 0xab;
+
+    const CsvTable table = table_of(statistics);
+
+    const auto value = [&](const char* name) { return table.number(0, table.find_column(name)); };
+    EXPECT_EQ(value("frame"), 11);
+    EXPECT_EQ(value("substeps"), 5);
+    EXPECT_EQ(value("retries"), 1);
+    EXPECT_EQ(value("cg_iterations"), 70);
+    EXPECT_EQ(value("residual"), 1e-5);
+    EXPECT_EQ(value("triangles"), 8);
+    EXPECT_EQ(value("contacts_obstacle"), 3);
+    EXPECT_EQ(value("contacts_self"), 4);
+    EXPECT_EQ(value("min_gap_m"), 5e-4);
+    EXPECT_EQ(value("stretch_p95"), 1.1);
+    EXPECT_EQ(value("shear_max_deg"), 7.5);
+    EXPECT_EQ(value("bending_J"), 3.0);
+    EXPECT_EQ(value("gravity_J"), 4.0);
+    EXPECT_EQ(value("com_z_m"), 7.0);
+    EXPECT_EQ(value("max_speed_m_s"), 8.0);
+    EXPECT_EQ(table.rows[0][static_cast<std::size_t>(table.find_column("state_hash"))],
+              "00000000000000ab");
+}
+
+TEST(Statistics, CountACrossingThatTheSolverDidNotSee) {
+    FrameStatistics statistics{.crossings = 2};
+
+    const CsvTable table = table_of(statistics);
+
+    EXPECT_EQ(table.number(0, table.find_column("unresolved")), 2);
+}
+
+TEST(Statistics, OfAFallingSheetAreThoseOfAPointMass) {
+    World world = test::grid_world(1.0, 4);
+    for (Vec3& x : world.positions) {
+        x.y() += 2.0;
+    }
+    world.velocities.assign(world.vertex_count(), Vec3(0.0, -3.0, 0.0));
+    const SceneParams scene; // gravity 9.81 m/s^2
+    const double mass = world.cloths[0].params.fabric.area_density * 1.0;
+
+    const MotionStatistics motion = Statistician(world, scene).measure(world, {}, 0).motion;
+
+    EXPECT_NEAR(motion.kinetic, 0.5 * mass * 9.0, 1e-12);
+    EXPECT_NEAR(motion.gravity, mass * 9.81 * 2.0, 1e-12);
+    EXPECT_NEAR(motion.membrane, 0.0, 1e-12);
+    EXPECT_NEAR(motion.bending, 0.0, 1e-12);
+    EXPECT_LT((motion.centre_of_mass - Vec3(0.0, 2.0, 0.0)).norm(), 1e-12);
+    EXPECT_EQ(motion.max_speed, 3.0);
+}
+
+TEST(Statistics, OfATautSheetHoldItsMembraneEnergy) {
+    World world = test::grid_world(1.0, 4);
+    for (Vec3& x : world.positions) {
+        x *= 1.1;
+    }
+    const FabricParams& fabric = world.cloths[0].params.fabric;
+
+    const FrameStatistics statistics = Statistician(world, {}).measure(world, {}, 0);
+
+    // Equal stretch both ways on 1 m^2: W = E e^2 / (1 - nu), isotropic plane stress.
+    const double expected = fabric.stretch_stiffness[0] * 0.01 / (1.0 - fabric.poisson);
+    EXPECT_NEAR(statistics.motion.membrane, expected, 1e-9 * expected);
+    EXPECT_NEAR(statistics.strain.stretch_min, 1.1, 1e-12);
+    EXPECT_NEAR(statistics.strain.stretch_max, 1.1, 1e-12);
+}
+
+TEST(Statistics, WeighStretchByRestArea) {
+    World world = test::grid_world(1.0, 10); // 200 triangles, 20 in each row along x
+    // The last two of ten rows, 20 % of the area, are half again as long.
+    for (Vec3& x : world.positions) {
+        x.z() += 0.5 * std::max(0.0, x.z() - 0.3);
+    }
+
+    const StrainStatistics strain = measure_strain(world);
+
+    EXPECT_NEAR(strain.stretch_mean, 0.8 * 1.0 + 0.2 * 1.5, 1e-9);
+    EXPECT_NEAR(strain.stretch_p95, 1.5, 1e-9);
+    EXPECT_NEAR(strain.stretch_min, 1.0, 1e-9);
+}
+
+TEST(Statistics, AreTheSameTextForAnyThreadCount) {
+    World world = test::grid_world(1.0, 40);
+    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
+        world.positions[i].y() = 0.01 * std::sin(0.37 * static_cast<double>(i));
+    }
+    const Statistician statistician(world, {});
+
+    set_thread_count(1);
+    const std::string one = statistics_row(statistician.measure(world, {}, 0));
+    set_thread_count(2);
+    const std::string two = statistics_row(statistician.measure(world, {}, 0));
+    set_thread_count(0);
+
+    EXPECT_EQ(one, two);
+}
+
+} // namespace
+} // namespace weft
