@@ -1,0 +1,102 @@
+#include "frames/capture.h"
+
+#include "frames/cache.h"
+#include "frames/triangle_measures.h"
+#include "geometry/curvature.h"
+
+#include <cassert>
+#include <cmath>
+
+namespace weft {
+
+namespace {
+
+/// Mean of a triangle value over the triangles around each vertex, weighted by rest area.
+template <typename Value>
+std::vector<float> average_to_vertices(const Cloth& cloth, const Value& value) {
+    const auto count = static_cast<std::size_t>(cloth.vertex_count);
+    std::vector<double> sums(count, 0.0);
+    std::vector<double> areas(count, 0.0);
+    for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
+        const double area = cloth.rest[t].area;
+        for (const Index v : cloth.triangles[t]) {
+            sums[static_cast<std::size_t>(v)] += area * value(t);
+            areas[static_cast<std::size_t>(v)] += area;
+        }
+    }
+    std::vector<float> means(count, 0.0F);
+    for (std::size_t i = 0; i < count; ++i) {
+        means[i] = areas[i] > 0.0 ? static_cast<float>(sums[i] / areas[i]) : 0.0F;
+    }
+    return means;
+}
+
+/// The entry of a quantity by its name, so that the order of k_quantities is free to change.
+std::vector<float>& values_of(FrameObject& object, std::string_view quantity) {
+    const int index = find_quantity(quantity);
+    assert(index >= 0);
+    return object.values[static_cast<std::size_t>(index)];
+}
+
+void measure_cloth(const World& world, const Cloth& cloth, FrameObject& object) {
+    const std::vector<StrainMeasures> m = measure_triangles(world, cloth);
+    const auto average = [&](const auto& value) { return average_to_vertices(cloth, value); };
+    values_of(object, "stretch") = average([&](std::size_t t) { return m[t].stretch_max; });
+    values_of(object, "strain_weft") =
+        average([&](std::size_t t) { return 100.0 * m[t].strain_weft; });
+    values_of(object, "strain_warp") =
+        average([&](std::size_t t) { return 100.0 * m[t].strain_warp; });
+    values_of(object, "shear") = average([&](std::size_t t) { return m[t].shear_deg; });
+    values_of(object, "stress") = average([&](std::size_t t) { return m[t].tension; });
+    for (const double curvature :
+         mean_curvatures(world.positions_of(cloth), cloth.triangles, cloth.topology)) {
+        values_of(object, "curvature").push_back(static_cast<float>(curvature));
+    }
+    for (const Vec3& velocity : world.velocities_of(cloth)) {
+        values_of(object, "speed").push_back(static_cast<float>(velocity.norm()));
+    }
+}
+
+FrameObject capture_cloth(const World& world, const Cloth& cloth) {
+    FrameObject object{.name = cloth.name,
+                       .kind = ObjectKind::Cloth,
+                       .fabric = cloth.params.fabric.name,
+                       .triangles = cloth.triangles};
+    for (const Vec3& position : world.positions_of(cloth)) {
+        object.positions.emplace_back(position.cast<float>());
+    }
+    for (const Vec2& material : cloth.material_positions) {
+        object.material_positions.emplace_back(material.cast<float>());
+    }
+    measure_cloth(world, cloth, object);
+    return object;
+}
+
+} // namespace
+
+FrameCapture::FrameCapture(const World& world, double fps) : fps_(fps) {
+    for (const Obstacle& obstacle : world.obstacles) {
+        RigidShape rigid{.shape = {.name = obstacle.name,
+                                   .kind = ObjectKind::Obstacle,
+                                   .triangles = obstacle.mesh.triangles},
+                         .origin = obstacle.origin,
+                         .motion = obstacle.params.motion};
+        for (const Vec3& position : obstacle.mesh.positions) {
+            rigid.shape.positions.emplace_back(position.cast<float>());
+        }
+        obstacles_.push_back(std::move(rigid));
+    }
+}
+
+Frame FrameCapture::capture(const World& world) const {
+    Frame frame{.number = world.frame, .time = frame_time(world.frame, fps_)};
+    for (const Cloth& cloth : world.cloths) {
+        frame.objects.push_back(capture_cloth(world, cloth));
+    }
+    for (const RigidShape& obstacle : obstacles_) {
+        frame.objects.push_back(pose_shape(obstacle, frame.time));
+    }
+    return frame;
+}
+
+} // namespace weft

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "frames/rigid_shape.h"
+#include "state/world.h"
+
+namespace weft {
+
+/// Takes a world out of the simulation: single precision, with every quantity of k_quantities at
+/// the vertices of cloth, and the obstacles posed at the frame's time.
+class FrameCapture {
+public:
+    FrameCapture(const World& world, double fps);
+
+    /// The frame that the world stands at.
+    Frame capture(const World& world) const;
+
+    const std::vector<RigidShape>& obstacles() const { return obstacles_; }
+
+private:
+    double fps_;
+    std::vector<RigidShape> obstacles_;
+};
+
+} // namespace weft
