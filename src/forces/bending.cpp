@@ -2,7 +2,11 @@
 
 #include "forces/element_terms.h"
 
+#include <Eigen/LU>
+
 #include <cassert>
+#include <cmath>
+#include <numbers>
 
 namespace weft {
 
@@ -14,25 +18,83 @@ double doubled_area(const RestCorners& c) {
     return std::abs(a.x() * b.y() - a.y() * b.x());
 }
 
+using Jumps = Eigen::Matrix<double, 3, 6>;
+
 /// Jumps of the three edges as functions of the six nodes; zero where there is no neighbour.
-std::array<std::array<double, 6>, 3> patch_jumps(const BendPatch& patch) {
-    std::array<std::array<double, 6>, 3> jumps{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (!patch.has_neighbour[k]) {
+Jumps patch_jumps(const BendPatch& patch) {
+    Jumps jumps = Jumps::Zero();
+    for (int k = 0; k < 3; ++k) {
+        const auto& neighbour = patch.neighbours[static_cast<std::size_t>(k)];
+        if (!patch.has_neighbour[static_cast<std::size_t>(k)]) {
             continue;
         }
-        const std::size_t a = (k + 1) % 3;
-        const std::size_t b = (k + 2) % 3;
-        const auto jump = edge_jump({rest_cotangent(patch.corners, static_cast<int>(a)),
-                                     rest_cotangent(patch.neighbours[k], 2)},
-                                    {rest_cotangent(patch.corners, static_cast<int>(b)),
-                                     rest_cotangent(patch.neighbours[k], 1)});
-        jumps[k][a] = jump[0];
-        jumps[k][b] = jump[1];
-        jumps[k][k] = jump[2];
-        jumps[k][3 + k] = jump[3];
+        const int a = (k + 1) % 3;
+        const int b = (k + 2) % 3;
+        const auto jump =
+            edge_jump({rest_cotangent(patch.corners, a), rest_cotangent(neighbour, 2)},
+                      {rest_cotangent(patch.corners, b), rest_cotangent(neighbour, 1)});
+        jumps(k, a) = jump[0];
+        jumps(k, b) = jump[1];
+        jumps(k, k) = jump[2];
+        jumps(k, 3 + k) = jump[3];
     }
     return jumps;
+}
+
+/// Symmetric 2×2 matrix a a^T as a vector whose norm is the matrix's.
+Vec3 squared(const Vec2& a) {
+    return {a.x() * a.x(), a.y() * a.y(), std::numbers::sqrt2 * a.x() * a.y()};
+}
+
+/// M of the mid-edge operator: column e is what the jump of edge e adds to the second derivatives.
+/// Negative because a surface that curves up has conormals that sum downwards.
+Mat3 mid_edge_weights(const BendPatch& patch, double area) {
+    Mat3 weights = Mat3::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (patch.has_neighbour[k]) {
+            const Vec2 along =
+                (patch.corners[(k + 2) % 3] - patch.corners[(k + 1) % 3]).normalized();
+            const double share = 1.0 / (area + 0.5 * doubled_area(patch.neighbours[k]));
+            weights.col(static_cast<int>(k)) = -share * squared({-along.y(), along.x()});
+        }
+    }
+    return weights;
+}
+
+/// The far apex across edge k, unfolded into the triangle's plane.
+Vec2 unfolded_apex(const BendPatch& patch, std::size_t k) {
+    const Vec2& a = patch.corners[(k + 1) % 3];
+    const Vec2 edge = patch.corners[(k + 2) % 3] - a;
+    const RestCorners& n = patch.neighbours[k]; // (apex, b, a)
+    const Vec2 own = n[1] - n[2];
+    const double along = (n[0] - n[2]).dot(own) / own.squaredNorm();
+    const double across = doubled_area(n) / own.squaredNorm();
+    return a + along * edge + across * Vec2(edge.y(), -edge.x()); // counter-clockwise: outside
+}
+
+/// Jumps of the three quadratic surfaces with second derivatives (1,0,0), (0,1,0), (0,0,1) in the
+/// vectors of `squared`.
+Mat3 quadratic_jumps(const BendPatch& patch, const Jumps& jumps) {
+    const Vec2 centre = (patch.corners[0] + patch.corners[1] + patch.corners[2]) / 3.0;
+    Eigen::Matrix<double, 6, 3> heights;
+    for (int k = 0; k < 3; ++k) {
+        const auto corner = static_cast<std::size_t>(k);
+        heights.row(k) = 0.5 * squared(patch.corners[corner] - centre).transpose();
+        heights.row(3 + k) = 0.5 * squared(unfolded_apex(patch, corner) - centre).transpose();
+    }
+    return jumps * heights;
+}
+
+/// M: the minimum of |M J - 1|^2 + 2 A^2 weight |M - M_midedge|^2, J the quadratics' jumps.
+Mat3 curvature_weights(const BendPatch& patch, const Jumps& jumps, double area) {
+    const Mat3 start = mid_edge_weights(patch, area);
+    if (!(patch.has_neighbour[0] && patch.has_neighbour[1] && patch.has_neighbour[2])) {
+        return start;
+    }
+    const Mat3 J = quadratic_jumps(patch, jumps);
+    const Mat3 normal =
+        J * J.transpose() + 2.0 * area * area * k_mid_edge_weight * Mat3::Identity();
+    return start + (Mat3::Identity() - start * J) * J.transpose() * normal.inverse();
 }
 
 } // namespace
@@ -66,25 +128,12 @@ hinge_bend_stiffness(const std::array<double, 4>& jump, double area_sum, double 
 
 std::array<double, 21> mid_edge_bend_stiffness(const BendPatch& patch, double rigidity) {
     const double area = 0.5 * doubled_area(patch.corners);
-    const auto jumps = patch_jumps(patch);
-    std::array<double, 3> weights{};
-    std::array<Vec2, 3> directions;
-    for (std::size_t k = 0; k < 3; ++k) {
-        weights[k] =
-            patch.has_neighbour[k] ? area / (area + 0.5 * doubled_area(patch.neighbours[k])) : 0.0;
-        directions[k] = (patch.corners[(k + 2) % 3] - patch.corners[(k + 1) % 3]).normalized();
-    }
+    const Jumps jumps = patch_jumps(patch);
+    const Eigen::Matrix<double, 3, 6> B = curvature_weights(patch, jumps, area) * jumps;
     std::array<double, 21> q{};
-    for (std::size_t e = 0; e < 3; ++e) {
-        for (std::size_t f = 0; f < 3; ++f) {
-            const double cosine = directions[e].dot(directions[f]); // = n_e.n_f
-            const double scale = rigidity / area * weights[e] * weights[f] * cosine * cosine;
-            for (std::size_t a = 0; a < 6; ++a) {
-                for (std::size_t b = a; b < 6; ++b) {
-                    q[block_index(6, static_cast<int>(a), static_cast<int>(b))] +=
-                        scale * jumps[e][a] * jumps[f][b];
-                }
-            }
+    for (int a = 0; a < 6; ++a) {
+        for (int b = a; b < 6; ++b) {
+            q[block_index(6, a, b)] = rigidity * area * B.col(a).dot(B.col(b));
         }
     }
     return q;
