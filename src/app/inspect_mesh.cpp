@@ -153,7 +153,6 @@ void describe_defects(const MeshAssembly& mesh, Sheet& sheet) {
     say("triangles with the corners of another", d.duplicates);
     say("edges with more than two triangles", d.non_manifold_edges);
     say("edges where the winding breaks", d.winding_edges);
-    say("vertices that join surfaces in a point", d.pinched_vertices);
     if (label[0] != '\0') {
         sheet.row(label, "none");
     }

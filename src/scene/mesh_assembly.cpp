@@ -13,6 +13,11 @@ namespace weft {
 
 namespace {
 
+/// "1 edge has", "3 edges have"
+std::string count(std::size_t number, const char* one, const char* many) {
+    return fmt::format("{} {}", number, number == 1 ? one : many);
+}
+
 /// The work of assemble_mesh(), stage by stage; each leaves the mesh usable by the next.
 class Assembler {
 public:
@@ -88,8 +93,8 @@ private:
             }
         }
         if (points_and_lines > 0) {
-            warn_that("{} points and lines were left out: only faces are simulated",
-                      points_and_lines);
+            warn_that("{} left out: only faces are simulated",
+                      count(points_and_lines, "point or line was", "points and lines were"));
         }
     }
 
@@ -98,8 +103,9 @@ private:
         for (const std::size_t i : chosen_) {
             const FileObject& object = file_.objects[i];
             if (!object.bad_faces.empty()) {
-                refuse("object \"{}\": {} faces name a vertex that is not there: face {}",
-                       object.name, object.bad_faces.size(), first_few(object.bad_faces));
+                refuse("object \"{}\": {} a vertex that is not there: face {}", object.name,
+                       count(object.bad_faces.size(), "face names", "faces name"),
+                       first_few(object.bad_faces));
             }
             std::vector<Index> not_finite;
             for (std::size_t v = 0; v < object.positions.size(); ++v) {
@@ -108,9 +114,11 @@ private:
                 }
             }
             if (!not_finite.empty()) {
-                refuse("object \"{}\": {} vertices have a coordinate that is not a finite number: "
-                       "vertex {} in the file",
-                       object.name, not_finite.size(), first_few(not_finite));
+                refuse(
+                    "object \"{}\": {} a coordinate that is not a finite number: vertex {} in the "
+                    "file",
+                    object.name, count(not_finite.size(), "vertex has", "vertices have"),
+                    first_few(not_finite));
             }
         }
         if (result_.refusals.empty() && result_.imported.triangles_in_file == 0) {
@@ -127,7 +135,7 @@ private:
             return file_.objects[i].points_and_lines > 0;
         });
         if (dropped > 0 && !has_lines) {
-            warn_that("{} vertices that no triangle uses were dropped", dropped);
+            warn_that("{} dropped: in no triangle", count(dropped, "vertex was", "vertices were"));
         }
     }
 
@@ -143,8 +151,9 @@ private:
         drop_triangles(joined_, bad);
         drop_unused_vertices(joined_.mesh);
         result_.imported.triangles_removed = bad.size();
-        warn_that("repair dropped {} triangles: {} degenerate, {} with the corners of another",
-                  bad.size(), defects.degenerate.size(), defects.duplicates.size());
+        warn_that("repair dropped {}: {} degenerate, {} with the corners of another",
+                  count(bad.size(), "triangle", "triangles"), defects.degenerate.size(),
+                  defects.duplicates.size());
         if (joined_.mesh.triangles.empty()) {
             refuse("has no triangles left after repair dropped {}", bad.size());
         }
@@ -156,8 +165,8 @@ private:
             flip_corner_uv(joined_, static_cast<std::size_t>(t));
         }
         if (!report.flipped.empty()) {
-            warn_that("{} triangles were wound against their neighbours and have been turned",
-                      report.flipped.size());
+            warn_that("{} wound against the neighbours and turned",
+                      count(report.flipped.size(), "triangle was", "triangles were"));
         }
     }
 
@@ -180,20 +189,23 @@ private:
         result_.defects = find_defects(joined_.mesh);
         const MeshDefects& defects = result_.defects;
         if (!defects.degenerate.empty()) {
-            refuse("{}: {} triangles are degenerate (no area, or an altitude below {:.0e} of the "
+            refuse("{}: {} degenerate (no area, or an altitude below {:.0e} of the "
                    "size): mend the file or set repair = true",
-                   place(defects.degenerate), defects.degenerate.size(), k_least_altitude_share);
+                   place(defects.degenerate),
+                   count(defects.degenerate.size(), "triangle is", "triangles are"),
+                   k_least_altitude_share);
         }
         if (!defects.duplicates.empty()) {
-            refuse_as_cloth("{}: {} triangles have the same corners as another: mend the file or "
-                            "set repair = true",
-                            place(defects.duplicates), defects.duplicates.size());
+            refuse_as_cloth(
+                "{}: {} the same corners as another: mend the file or set repair = true",
+                place(defects.duplicates),
+                count(defects.duplicates.size(), "triangle has", "triangles have"));
         }
         if (!defects.non_manifold_edges.empty()) {
-            refuse_as_cloth("object \"{}\": {} edges have more than two triangles: edge {} "
+            refuse_as_cloth("object \"{}\": {} more than two triangles: edge {} "
                             "(vertices after welding): cloth allows one or two",
                             object_at(defects.non_manifold_edges[0]),
-                            defects.non_manifold_edges.size(),
+                            count(defects.non_manifold_edges.size(), "edge has", "edges have"),
                             first_few(defects.non_manifold_edges));
         }
         if (!defects.winding_edges.empty()) {
@@ -202,8 +214,9 @@ private:
                             object_at(defects.winding_edges[0]), first_few(defects.winding_edges));
         }
         if (!defects.pinched_vertices.empty()) {
-            warn_that("{} vertices join surfaces in a single point: vertex {}",
-                      defects.pinched_vertices.size(), first_few(defects.pinched_vertices));
+            warn_that("{} surfaces in a single point: vertex {}",
+                      count(defects.pinched_vertices.size(), "vertex joins", "vertices join"),
+                      first_few(defects.pinched_vertices));
         }
     }
 

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "geometry/triangulate.h"
+#include "scene/assimp_log.h"
 #include "scene/file_axes.h"
 #include "scene/mesh_file_check.h"
 
@@ -122,6 +123,7 @@ void name_the_nameless(std::vector<FileObject>& objects, const std::string& file
 
 MeshFile read_mesh_file(const std::filesystem::path& file, const std::string& name) {
     const std::string warning = check_mesh_file(file, name);
+    const AssimpLog log;
     Assimp::Importer importer;
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     const aiScene* scene = nullptr;
@@ -134,6 +136,10 @@ MeshFile read_mesh_file(const std::filesystem::path& file, const std::string& na
     }
     if (scene == nullptr || scene->mRootNode == nullptr) {
         fail_input("{}: cannot be read: {}", name, one_line(reason));
+    }
+    // assimp drops such faces of glTF and says so in its log alone.
+    if (const std::string warning = log.find("out-of-range"); !warning.empty()) {
+        fail_input("{}: {}", name, warning);
     }
     MeshFile result;
     if (!warning.empty()) {
