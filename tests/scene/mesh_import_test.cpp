@@ -66,4 +66,73 @@ TEST(MeshImport, AMissingFileIsRefusedByName) {
     }
 }
 
+TEST(MeshImport, OneOfSeveralObjectsIsPickedByName) {
+    const std::string two = "o A\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+                            "o B\nv 0 0 5\nv 1 0 5\nv 0 1 5\nv 1 1 5\nf 4 5 7 6\n";
+
+    const ImportedMesh all = import_text("two.obj", two);
+    const ImportedMesh b = import_text("two.obj", two, {.objects = {"B"}});
+
+    EXPECT_EQ(all.objects, (std::vector<std::string>{"A", "B"}));
+    EXPECT_EQ(all.mesh.triangles.size(), 3U);
+    EXPECT_EQ(b.objects, std::vector<std::string>{"B"});
+    EXPECT_EQ(b.mesh.positions.size(), 4U);
+    EXPECT_EQ(b.mesh.positions[0], Vec3(0, 0, 5));
+}
+
+TEST(MeshImport, TrianglesWoundAgainstTheirNeighboursAreTurnedWithTheirUv) {
+    const ImportedMesh imported =
+        import_text("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\n"
+                             "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 2 0\n"
+                             "f 1/1 2/2 3/3\nf 1/1 4/4 3/3\nf 2/2 5/5 3/3\n");
+
+    EXPECT_EQ(imported.mesh.triangles[1], (Triangle{0, 2, 3}));
+    EXPECT_EQ(imported.corner_uv[1][1], Vec2(1, 1));
+    EXPECT_EQ(imported.warnings,
+              std::vector<std::string>{"1 triangle was wound against the neighbours and turned"});
+}
+
+TEST(MeshImport, AClosedSurfaceInsideOutIsTurned) {
+    const ImportedMesh imported = import_text(
+        "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n");
+
+    EXPECT_EQ(imported.mesh.triangles[0], (Triangle{0, 2, 1}));
+    ASSERT_EQ(imported.warnings.size(), 1U);
+    EXPECT_EQ(imported.warnings[0], "the closed surface was inside out and has been turned");
+}
+
+TEST(MeshImport, RepairDropsWhatIsDegenerateAndCountsIt) {
+    const ImportedMesh imported = import_text(
+        "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.5 0 0\nf 1 2 3\nf 1 4 2\nf 1 1 3\nf 3 1 2\n",
+        {.repair = true});
+
+    EXPECT_EQ(imported.triangles_in_file, 4U);
+    EXPECT_EQ(imported.triangles_removed, 3U);
+    EXPECT_EQ(imported.mesh.positions.size(), 3U);
+    EXPECT_EQ(imported.mesh.triangles, std::vector<Triangle>({{0, 1, 2}}));
+}
+
+TEST(MeshImport, ASizeOutsideOneCentimetreToTenMetresNamesTheLikelyUnit) {
+    const std::string body = "v 0 0 0\nv 60 0 0\nv 0 175 0\nf 1 2 3\n";
+
+    const ImportedMesh as_metres = import_text("a.obj", body);
+    const ImportedMesh as_centimetres =
+        import_text("a.obj", body, {.metres_per_unit = 0.01, .units_given = true});
+
+    EXPECT_EQ(as_metres.warnings, std::vector<std::string>{
+                                      "the largest dimension is 175 m, outside 1 cm to 10 m: units "
+                                      "may be \"cm\" (1.75 m) or \"mm\" (0.175 m)"});
+    EXPECT_TRUE(as_centimetres.warnings.empty());
+}
+
+TEST(MeshImport, VerticesInNoFaceAreReportedAndLeftOut) {
+    const ImportedMesh imported =
+        import_text("a.obj", "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\n");
+
+    EXPECT_EQ(imported.mesh.positions.size(), 3U);
+    EXPECT_EQ(
+        imported.warnings,
+        std::vector<std::string>{"1 of 4 vertices in the file are in no face and were left out"});
+}
+
 } // namespace weft
