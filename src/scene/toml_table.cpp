@@ -52,6 +52,30 @@ std::string element_path(const std::string& path, std::size_t i) {
     return fmt::format("{}[{}]", path, i);
 }
 
+/// Numbers in their shortest form, which toml++ does not give.
+std::string whole_text_of(const toml::node& node) {
+    if (const toml::array* array = node.as_array()) {
+        std::string list;
+        for (const toml::node& element : *array) {
+            list += (list.empty() ? "" : ", ") + whole_text_of(element);
+        }
+        return '[' + list + ']';
+    }
+    if (node.is_table()) {
+        return "{...}";
+    }
+    if (const toml::value<double>* number = node.as_floating_point()) {
+        return fmt::format("{}", number->get());
+    }
+    std::ostringstream stream;
+    node.visit([&](const auto& value) {
+        if constexpr (toml::is_value<decltype(value)>) {
+            stream << toml::toml_formatter{value, toml::format_flags::none};
+        }
+    });
+    return stream.str();
+}
+
 std::string quoted_list(const std::vector<std::string>& words) {
     std::string list;
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -72,18 +96,7 @@ std::string place_of(const toml::source_region& source) {
 }
 
 std::string text_of(const toml::node& node) {
-    std::ostringstream stream;
-    node.visit([&](const auto& value) {
-        using T = std::decay_t<decltype(value)>;
-        if constexpr (std::is_same_v<T, toml::value<double>>) {
-            stream << fmt::format("{}", value.get());
-        } else if constexpr (std::is_same_v<T, toml::table>) {
-            stream << "{...}";
-        } else {
-            stream << toml::toml_formatter{value, toml::format_flags::none};
-        }
-    });
-    std::string text = stream.str();
+    std::string text = whole_text_of(node);
     std::replace(text.begin(), text.end(), '\n', ' ');
     constexpr std::size_t k_longest = 60;
     if (text.size() > k_longest) {

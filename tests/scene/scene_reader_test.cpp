@@ -1,19 +1,17 @@
 #include "scene/scene_reader.h"
-#include "scene/scene_writer.h"
+#include "support/paths.h"
 
 #include <gtest/gtest.h>
 
 namespace weft {
 namespace {
 
-Scene read(const std::string& text, const std::vector<std::string>& sets = {}) {
-    return read_scene_text(text, "a.toml", "", sets);
+Scene read(const std::string& text) {
+    return read_scene_text(text, "a.toml", "");
 }
 
-const std::string k_smallest = "[[cloth]]\nname = \"flag\"\ngrid = {}\n";
-
 TEST(SceneReader, FillsInTheDefaultsOfTheFormat) {
-    const Scene scene = read(k_smallest);
+    const Scene scene = read("[[cloth]]\nname = \"flag\"\ngrid = {}\n");
 
     EXPECT_EQ(scene.scene, SceneParams{});
     EXPECT_EQ(scene.contact, ContactParams{});
@@ -24,10 +22,68 @@ TEST(SceneReader, FillsInTheDefaultsOfTheFormat) {
     EXPECT_EQ(scene.cloths[0], expected);
 }
 
-TEST(SceneReader, ReadsWhatItWrote) {
-    Scene scene = read(k_smallest);
+TEST(SceneReader, ReadsEveryKeyOfAFullScene) {
+    const Scene scene = read_scene(test::source_path("tests/scenes/every_key.toml"));
 
-    EXPECT_EQ(read(write_scene(scene, "")).cloths, scene.cloths);
+    EXPECT_EQ(scene.scene.integrator, Integrator::Bdf2);
+    EXPECT_EQ(scene.scene.frames, 12);
+    EXPECT_DOUBLE_EQ(scene.scene.wind.x(), 1.5);
+    EXPECT_FALSE(scene.contact.self);
+    ASSERT_EQ(scene.cloths.size(), 2u);
+    const ClothParams& shirt = scene.cloths[0];
+    EXPECT_EQ(shirt.mesh.objects, (std::vector<std::string>{"Front", "Back"}));
+    EXPECT_DOUBLE_EQ(shirt.mesh.metres_per_unit, 0.01);
+    EXPECT_TRUE(shirt.mesh.units_given);
+    EXPECT_EQ(shirt.mesh.up, 'z');
+    EXPECT_TRUE(shirt.mesh.repair);
+    EXPECT_EQ(shirt.rest, RestShape::Uv);
+    EXPECT_EQ(shirt.bend_model, BendModel::Quadratic);
+    EXPECT_DOUBLE_EQ(shirt.grain_deg, 45.0);
+    EXPECT_DOUBLE_EQ(shirt.pressure, 20.0);
+    EXPECT_EQ(shirt.fabric.name, "mine");
+    EXPECT_DOUBLE_EQ(shirt.fabric.stretch_stiffness[1], 1200.0);
+    ASSERT_EQ(shirt.pins.size(), 4u);
+    EXPECT_EQ(shirt.pins[0].vertices, (std::vector<Index>{0, 31}));
+    EXPECT_DOUBLE_EQ(shirt.pins[0].until, 2.0);
+    EXPECT_DOUBLE_EQ(shirt.pins[0].move[1][1], 0.5);
+    EXPECT_TRUE(shirt.pins[1].has_box);
+    EXPECT_EQ(shirt.pins[2].loop_side, "top");
+    EXPECT_EQ(shirt.pins[2].to, "body");
+    EXPECT_EQ(shirt.pins[3].loop, 1);
+    EXPECT_EQ(scene.cloths[1].grid_cells, (std::array<int, 2>{8, 4}));
+    ASSERT_EQ(scene.obstacles.size(), 4u);
+    EXPECT_EQ(scene.obstacles[0].motion.size(), 2u);
+    EXPECT_DOUBLE_EQ(scene.obstacles[0].motion[1].rotate_deg.y(), 90.0);
+    EXPECT_EQ(scene.obstacles[1].shape, Shape::Sphere);
+    EXPECT_EQ(scene.obstacles[2].shape, Shape::Box);
+    EXPECT_EQ(scene.obstacles[3].shape, Shape::Plane);
+    EXPECT_TRUE(scene.render.has_camera);
+    EXPECT_DOUBLE_EQ(scene.render.camera.fov_deg, 40.0);
+    EXPECT_EQ(scene.render.map, "seed");
+}
+
+TEST(SceneReader, TakesPathsRelativeToTheSceneFile) {
+    const Scene scene = read_scene(test::source_path("tests/scenes/every_key.toml"));
+
+    EXPECT_EQ(scene.base_dir, test::source_path("tests/scenes"));
+}
+
+TEST(SceneReader, LaysOverridesOverAPreset) {
+    const std::string cloth = "[[cloth]]\nname = \"a\"\ngrid = {}\n";
+    const FabricParams preset = read(cloth + "fabric = \"denim\"\n").cloths[0].fabric;
+
+    const FabricParams altered =
+        read(cloth + "fabric = { base = \"denim\", density = 0.5 }\n").cloths[0].fabric;
+
+    FabricParams expected = preset;
+    expected.name = "denim, altered";
+    expected.area_density = 0.5;
+    EXPECT_EQ(preset.name, "denim");
+    EXPECT_EQ(altered, expected);
+}
+
+TEST(SceneReader, AcceptsRefinementThatIsSwitchedOff) {
+    EXPECT_NO_THROW(read("[[cloth]]\nname = \"a\"\ngrid = {}\n[cloth.adapt]\nlevels = 0\n"));
 }
 
 } // namespace

@@ -1,0 +1,167 @@
+#include "base/error.h"
+#include "scene/scene_reader.h"
+
+#include <gtest/gtest.h>
+
+namespace weft {
+namespace {
+
+/// A scene that is wrong in one place, and the whole line that the user should read.
+struct Broken {
+    const char* what;
+    std::string text;
+    std::string message;
+};
+
+/// The smallest right cloth in three lines, then more of its keys.
+std::string cloth(const std::string& keys) {
+    return "[[cloth]]\nname = \"flag\"\ngrid = {}\n" + keys;
+}
+
+std::string message_of(const std::string& text) {
+    try {
+        read_scene_text(text, "a.toml", "");
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::BadInput);
+        return error.what();
+    }
+    return "";
+}
+
+const std::string k_ball = "[[obstacle]]\nname = \"ball\"\nshape = \"sphere\"\n";
+
+const std::vector<Broken> k_broken{
+    {"nothing", "", "a.toml:1:1: needs a [[cloth]]: nothing would move"},
+    {"unknown table", "[secne]\nframes = 3\n" + cloth(""),
+     "a.toml:1:2: secne: unknown key; the nearest is scene"},
+    {"unknown key", "[scene]\nframe = 3\n" + cloth(""),
+     "a.toml:2:1: scene.frame: unknown key; the nearest is frames"},
+    {"unknown key of a fabric", cloth("[cloth.fabric]\nbending = 1e-5\n"),
+     "a.toml:5:1: cloth[0].fabric.bending: unknown key; the nearest is bend"},
+    {"unknown key of a pin", cloth("[[cloth.pin]]\ncorner = true\n"),
+     "a.toml:5:1: cloth[0].pin[0].corner: unknown key; the nearest is corners"},
+    {"wrong type", "[scene]\nframes = \"ten\"\n" + cloth(""),
+     "a.toml:2:10: scene.frames = \"ten\": must be an integer"},
+    {"number for an integer", "[scene]\nframes = 10.5\n" + cloth(""),
+     "a.toml:2:10: scene.frames = 10.5: must be an integer"},
+    {"wrong length", "[scene]\ngravity = [0.0, -9.81]\n" + cloth(""),
+     "a.toml:2:11: scene.gravity = [0, -9.81]: must be an array of 3 numbers"},
+    {"wrong element", "[scene]\nwind = [0.0, \"x\", 0.0]\n" + cloth(""),
+     "a.toml:2:14: scene.wind[1] = \"x\": must be a number"},
+    {"not a number", "[scene]\nwind = [0.0, nan, 0.0]\n" + cloth(""),
+     "a.toml:2:14: scene.wind[1] = nan: must be finite"},
+    {"infinite", "[scene]\nfps = inf\n" + cloth(""), "a.toml:2:7: scene.fps = inf: must be finite"},
+    {"not a boolean", "[contact]\nself = 1\n" + cloth(""),
+     "a.toml:2:8: contact.self = 1: must be true or false"},
+    {"out of range", "[scene]\nframes = 0\n" + cloth(""),
+     "a.toml:2:10: scene.frames = 0: must be 1 to 1000000"},
+    {"negative density", cloth("[cloth.fabric]\ndensity = -0.1\n"),
+     "a.toml:5:11: cloth[0].fabric.density = -0.1: must be > 0 kg/m^2"},
+    {"one of two out of range", cloth("[cloth.fabric]\nstretch = [100.0, 0.0]\n"),
+     "a.toml:5:19: cloth[0].fabric.stretch[1] = 0: must be > 0 N/m"},
+    {"poisson", cloth("fabric = { poisson = 1.0 }\n"),
+     "a.toml:4:22: cloth[0].fabric.poisson = 1: must be >= 0 and < 1"},
+    {"unknown preset", cloth("fabric = \"denimm\"\n"),
+     "a.toml:4:10: cloth[0].fabric = \"denimm\": must be a preset (weft fabric list) or a .toml "
+     "file; the nearest preset is denim"},
+    {"missing fabric file", cloth("fabric = \"no/such.toml\"\n"),
+     "a.toml:4:10: cloth[0].fabric = \"no/such.toml\": there is no file no/such.toml"},
+    {"no name", "[[cloth]]\ngrid = {}\n", "a.toml:1:1: cloth[0]: needs name"},
+    {"name as a path", "[[cloth]]\nname = \"a/b\"\ngrid = {}\n",
+     "a.toml:2:8: cloth[0].name = \"a/b\": must be letters, digits, '_' or '-', at most 64: it "
+     "names files"},
+    {"twice the same name", k_ball + "[[cloth]]\nname = \"ball\"\ngrid = {}\n",
+     "a.toml:5:8: cloth[0].name = \"ball\": must be unique: another object has it"},
+    {"no mesh", "[[cloth]]\nname = \"flag\"\n", "a.toml:1:1: cloth[0]: needs mesh or grid"},
+    {"mesh and grid", cloth("mesh = \"a.obj\"\n"),
+     "a.toml:1:1: cloth[0]: has mesh and grid: must be one of them"},
+    {"units without mesh", cloth("units = \"cm\"\n"),
+     "a.toml:4:9: cloth[0].units = \"cm\": needs mesh, whose file it describes"},
+    {"unknown unit", "[[cloth]]\nname = \"a\"\nmesh = \"a.obj\"\nunits = \"ft\"\n",
+     "a.toml:4:9: cloth[0].units = \"ft\": must be \"m\", \"cm\", \"mm\" or \"in\""},
+    {"unit of nothing", "[[cloth]]\nname = \"a\"\nmesh = \"a.obj\"\nunits = 0\n",
+     "a.toml:4:9: cloth[0].units = 0: must be > 0 m, or \"m\", \"cm\", \"mm\" or \"in\""},
+    {"object list", "[[cloth]]\nname = \"a\"\nmesh = \"a.obj\"\nobject = [\"b\", 3]\n",
+     "a.toml:4:16: cloth[0].object[1] = 3: must be a string"},
+    {"pin of nothing", cloth("[[cloth.pin]]\nuntil = 1.0\n"),
+     "a.toml:4:1: cloth[0].pin[0]: must have exactly one of vertices, box, corners = true and "
+     "loop"},
+    {"pin to nobody", k_ball + cloth("[[cloth.pin]]\ncorners = true\nto = \"bal\"\n"),
+     "a.toml:9:6: cloth[0].pin[0].to = \"bal\": must be the name of an obstacle; the nearest is "
+     "ball"},
+    {"pin back in time",
+     cloth("[[cloth.pin]]\ncorners = true\n"
+           "move = [[1.0, 0, 0, 0], [0.5, 0, 0, 0]]\n"),
+     "a.toml:6:26: cloth[0].pin[0].move[1][0] = 0.5: must be > 1 s, the time before"},
+    {"pin at a vertex below 0", cloth("[[cloth.pin]]\nvertices = [0, -1]\n"),
+     "a.toml:5:16: cloth[0].pin[0].vertices[1] = -1: must be >= 0, the index of a vertex"},
+    {"pin in an empty box", cloth("pin = [{ box = { min = [1, 0, 0], max = [0, 0, 0] } }]\n"),
+     "a.toml:4:25: cloth[0].pin[0].box.min[0] = 1: must be <= box.max[0], 0 m"},
+    {"obstacle of nothing", "[[obstacle]]\nname = \"b\"\n" + cloth(""),
+     "a.toml:1:1: obstacle[0]: needs mesh or shape"},
+    {"radius of a box", "[[obstacle]]\nname = \"b\"\nshape = \"box\"\nradius = 1.0\n" + cloth(""),
+     "a.toml:4:10: obstacle[0].radius = 1: needs shape = \"sphere\""},
+    {"motion without time", k_ball + "motion = [{ translate = [0, 0, 0] }]\n" + cloth(""),
+     "a.toml:4:11: obstacle[0].motion[0]: needs t, the time in s"},
+    {"motion back in time", k_ball + "motion = [{ t = 1 }, { t = 1 }]\n" + cloth(""),
+     "a.toml:4:28: obstacle[0].motion[1].t = 1: must be > 1 s, the time before"},
+    {"range the wrong way", cloth("") + "[render]\nrange = [1.2, 0.9]\n",
+     "a.toml:5:15: render.range[1] = 0.9: must be > range[0], 1.2"},
+    {"camera without target", cloth("") + "[render]\ncamera = { eye = [0, 0, 1] }\n",
+     "a.toml:5:10: render.camera: needs eye and target"},
+    {"unknown map", cloth("") + "[render]\nmap = \"jet\"\n",
+     "a.toml:5:7: render.map = \"jet\": must be \"seed\", \"coolwarm\", \"viridis\", \"turbo\" or "
+     "\"cividis\""},
+    {"picture too small", cloth("") + "[render]\nsize = [640, 0]\n",
+     "a.toml:5:14: render.size[1] = 0: must be 16 to 8192 pixels"},
+};
+
+TEST(BrokenScenes, AreRefusedInOneLineThatNamesPlaceValueAndWhatIsAllowed) {
+    for (const Broken& broken : k_broken) {
+        EXPECT_EQ(message_of(broken.text), broken.message) << broken.what;
+    }
+}
+
+const std::vector<Broken> k_not_yet{
+    {"springs", cloth("[cloth.spring]\nK = 1000.0\n"),
+     "a.toml:4:1: cloth[0].spring: not there yet"},
+    {"another model", cloth("model = \"cubic\"\n"),
+     "a.toml:4:9: cloth[0].model = \"cubic\": not there yet; must be \"corotational\""},
+    {"refinement", cloth("[cloth.adapt]\nlevels = 4\n"),
+     "a.toml:5:10: cloth[0].adapt.levels = 4: not there yet; must be 0 (off)"},
+    {"solids", "[[solid]]\nname = \"cube\"\n" + cloth(""), "a.toml:1:1: solid: not there yet"},
+    {"rigid bodies", "[[rigid]]\nname = \"ball\"\n" + cloth(""),
+     "a.toml:1:1: rigid: not there yet"},
+    {"sequences", "[[obstacle]]\nname = \"b\"\nsequence = \"b.####.obj\"\n" + cloth(""),
+     "a.toml:3:12: obstacle[0].sequence: not there yet"},
+    {"growing", "[contact]\nstart_overlap = \"grow\"\n" + cloth(""),
+     "a.toml:2:17: contact.start_overlap = \"grow\": not there yet; must be \"error\""},
+    {"levels", cloth("") + "[render]\nquantity = \"level\"\n",
+     "a.toml:5:12: render.quantity = \"level\": not there yet; must be \"stretch\", "
+     "\"strain_weft\", \"strain_warp\", \"shear\", \"stress\", \"curvature\" or \"speed\""},
+};
+
+TEST(BrokenScenes, SayWhatTheFormatHasAndThisProgramNotYet) {
+    for (const Broken& broken : k_not_yet) {
+        EXPECT_EQ(message_of(broken.text), broken.message) << broken.what;
+    }
+}
+
+TEST(BrokenScenes, SayWhereTheParserStopped) {
+    const std::string message = message_of("[scene]\nframes = = 3\n");
+
+    EXPECT_EQ(message.substr(0, message.find(": not TOML")), "a.toml:2:10");
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+}
+
+TEST(BrokenScenes, AFileThatIsNotThereIsTheDisksFault) {
+    try {
+        read_scene("no/such/scene.toml");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::Disk);
+    }
+}
+
+} // namespace
+} // namespace weft
