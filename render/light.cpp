@@ -4,7 +4,7 @@ namespace weft {
 
 namespace {
 
-constexpr double k_penumbra = 0.0085; // radius of the soft edge, in half diagonals of the subject:
+constexpr double k_penumbra = 0.0100; // radius of the soft edge, in half diagonals of the subject:
                                       // larger is softer, and needs more taps than 16
 constexpr double k_margin = 1.05;
 
@@ -18,7 +18,7 @@ KeyLight place_key_light(const Camera& camera, const Box3& subject) {
     front.normalize();
 
     KeyLight light;
-    light.direction = (-0.62 * side + 0.90 * Vec3::UnitY() + 0.50 * front).normalized();
+    light.direction = (-0.60 * side + 0.88 * Vec3::UnitY() + 0.72 * front).normalized();
     light.counter = (0.85 * side + 0.25 * Vec3::UnitY() + 0.30 * front).normalized();
     light.right = Vec3::UnitY().cross(light.direction).normalized();
     light.up = light.direction.cross(light.right);

@@ -20,11 +20,11 @@ namespace {
 
 constexpr int k_lookup_size = 1024;  // colours of the map; fewer: steps show
 constexpr int k_shadow_size = 1024;  // pixels a side; penumbra / texel of 4 to 5 suits 16 taps
-constexpr double k_line_width = 1.1; // of mesh lines, pixels at 720 lines
+constexpr double k_line_width = 0.9; // of mesh lines, pixels at 720 lines
 constexpr int k_most_taps = 18;
-const Colour k_clay{0.30F, 0.262F, 0.232F};
-const Colour k_backdrop_near{0.205F, 0.220F, 0.240F};
-const Colour k_backdrop_far{0.040F, 0.047F, 0.056F};
+const Colour k_clay{0.37F, 0.315F, 0.275F};
+const Colour k_backdrop_near{0.325F, 0.335F, 0.345F};
+const Colour k_backdrop_far{0.030F, 0.040F, 0.055F};
 
 /// Points spread evenly over the unit disc (Vogel's spiral), x and y in turn. A multiple of
 /// supersample^2, so that each pixel of a final pixel takes as many.

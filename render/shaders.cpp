@@ -63,15 +63,16 @@ uniform int supersample;
 uniform vec3 counter_direction;
 uniform sampler2DShadow shadow_map;
 
-const float k_key = 0.74;
-const float k_sky = 0.34;
-const float k_floor = 0.16;
-const float k_counter = 0.10;
+const float k_key = 0.84;
+const float k_sky = 0.27;
+const float k_floor = 0.13;
+const float k_counter = 0.11;
 
 float key_visibility(vec3 n) {
     float facing = max(dot(n, key_direction), 0.1);
     vec2 slope = clamp(-vec2(dot(n, light_right), dot(n, light_up)) / facing, -2.5, 2.5);
-    vec3 place = (to_light * vec4(world_position + n * texel * 1.2, 1.0)).xyz;
+    vec3 place = (to_light * vec4(world_position + n * texel * 1.5, 1.0)).xyz;
+    place.z -= (0.5 + abs(slope.x) + abs(slope.y)) * texel / light_depth; // over one texel's reach
     float per_map_unit = kernel * (texel * float(textureSize(shadow_map, 0).x)) / light_depth;
     vec2 plane = -slope * per_map_unit;
     bool outside = any(lessThan(place.xy, vec2(0.0))) || any(greaterThan(place.xy, vec2(1.0)));
@@ -83,7 +84,7 @@ float key_visibility(vec3 n) {
     for (int i = pixel.y * supersample + pixel.x; i < last; i += share) {
         vec2 tap = taps[i];
         open += texture(shadow_map,
-            vec3(place.xy + tap * kernel, place.z + dot(plane, tap)));
+            vec3(place.xy + tap * kernel, min(place.z + dot(plane, tap), 0.9999)));
         count += 1.0;
     }
     return count > 0.0 ? open / count : 1.0;
@@ -118,7 +119,7 @@ float mesh_line() {
     float nearest = min(away.x, min(away.y, away.z));
     float height = 1.0 / max(change.x, max(change.y, change.z));
     float line = 1.0 - smoothstep(0.5 * line_width - 0.6, 0.5 * line_width + 0.6, nearest);
-    return line * smoothstep(3.5 * line_width, 12.0 * line_width, height);
+    return line * smoothstep(2.5 * line_width, 7.0 * line_width, height);
 }
 
 void main() {
@@ -136,9 +137,7 @@ void main() {
     vec3 base = shown_colour();
     vec3 lit = base * light + vec3(0.05) * rim * (open.x + open.y);
     if (line_width > 0.0) {
-        float dark = step(0.12, dot(base, vec3(0.21, 0.72, 0.07)));
-        vec3 ink = mix(mix(lit, vec3(0.6), 0.35), lit * 0.35, dark);
-        lit = mix(lit, ink, 0.55 * mesh_line());
+        lit *= 1.0 - 0.36 * mesh_line();
     }
     colour = vec4(lit, 1.0);
 }

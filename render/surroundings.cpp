@@ -11,9 +11,10 @@ namespace weft {
 
 namespace {
 
-constexpr int k_directions = 20; // pairs; more: smoother light, time in proportion
+constexpr int k_directions = 36; // pairs; more: smoother light, time in proportion
 constexpr int k_pixels = 160;    // a side of a depth map; fewer: thin gaps close
-constexpr float k_lift = 1.5F;   // pixels that a vertex is lifted off its own surface
+constexpr float k_lift = 2.0F;   // pixels that a vertex is lifted off its own surface
+constexpr float k_soft = 2.0F;   // pixels of height over which something begins to shade
 
 /// The scene seen along one direction: nearest and farthest depth of each pixel.
 class DepthMap {
@@ -43,15 +44,25 @@ public:
         }
     }
 
-    /// Is nothing higher than this place (sign +1) or lower (sign -1)?
-    bool is_open(const Vec3f& p, float sign) const {
-        const int x = static_cast<int>(std::floor(p.x()));
-        const int y = static_cast<int>(std::floor(p.y()));
-        if (x < 0 || y < 0 || x >= k_pixels || y >= k_pixels) {
-            return true;
+    /// How open the way up (sign +1) or down (sign -1) is from this place, 0..1: weighted over the
+    /// four nearest pixels, each closing over k_soft pixels of height, so that light is smooth.
+    float openness(const Vec3f& p, float sign) const {
+        const float fx = p.x() - 0.5F;
+        const float fy = p.y() - 0.5F;
+        const int x = static_cast<int>(std::floor(fx));
+        const int y = static_cast<int>(std::floor(fy));
+        if (x < 0 || y < 0 || x + 1 >= k_pixels || y + 1 >= k_pixels) {
+            return 1.0F;
         }
-        const auto i = static_cast<std::size_t>(y * k_pixels + x);
-        return sign > 0.0F ? nearest_[i] <= p.z() : farthest_[i] >= p.z();
+        const float wx = fx - static_cast<float>(x);
+        const float wy = fy - static_cast<float>(y);
+        const auto at = [&](int dx, int dy) {
+            const auto i = static_cast<std::size_t>((y + dy) * k_pixels + x + dx);
+            const float above = sign > 0.0F ? nearest_[i] - p.z() : p.z() - farthest_[i];
+            return 1.0F - std::clamp(above / k_soft, 0.0F, 1.0F);
+        };
+        return (1.0F - wy) * ((1.0F - wx) * at(0, 0) + wx * at(1, 0)) +
+               wy * ((1.0F - wx) * at(0, 1) + wx * at(1, 1));
     }
 
 private:
@@ -122,9 +133,8 @@ void gather(const std::vector<DepthMap>& maps,
     for (std::size_t d = 0; d < directions.size(); ++d) {
         const float cosine = normal.dot(directions[d]);
         const float sign = cosine > 0.0F ? 1.0F : -1.0F;
-        if (maps[d].is_open(maps[d].place(place), sign)) {
-            (sign > 0.0F ? sky : floor) += std::abs(cosine);
-        }
+        (sign > 0.0F ? sky : floor) +=
+            std::abs(cosine) * maps[d].openness(maps[d].place(place), sign);
     }
     const float scale = 2.0F / static_cast<float>(directions.size());
     sky *= scale;
