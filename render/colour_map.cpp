@@ -1,5 +1,7 @@
 #include "render/colour_map.h"
 
+#include "render/colour_tables.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -14,52 +16,35 @@ Colour clamped(const Colour& c) {
             std::clamp(c[2], 0.0F, 1.0F)};
 }
 
-/// One polynomial a channel, coefficients from the constant term up.
-template <std::size_t N>
-Colour polynomial(const std::array<std::array<float, N>, 3>& coefficients, float t) {
+/// Straight lines between the entries of a table.
+Colour interpolated(const ColourTable& table, float t) {
+    const float place = t * static_cast<float>(table.size() - 1);
+    const std::size_t i = std::min(static_cast<std::size_t>(place), table.size() - 2);
+    const float w = place - static_cast<float>(i);
+    const auto channel = [&](std::size_t entry, std::size_t c) {
+        return static_cast<float>((table[entry] >> (16 - 8 * c)) & 0xFFU) / 255.0F;
+    };
     Colour c{};
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        for (std::size_t i = N; i-- > 0;) {
-            c[channel] = c[channel] * t + coefficients[channel][i];
-        }
+    for (std::size_t k = 0; k < 3; ++k) {
+        c[k] = (1.0F - w) * channel(i, k) + w * channel(i + 1, k);
     }
-    return clamped(c);
+    return c;
 }
 
 Colour seed(float t) {
     return {t, 1.0F - t, 0.0F};
 }
 
-// Fit to the matplotlib table (CC0).
 Colour viridis(float t) {
-    return polynomial<7>(
-        {{{0.27773F, 0.10509F, -0.33086F, -4.63423F, 6.22827F, 4.77638F, -5.43546F},
-          {0.00541F, 1.40461F, 0.21485F, -5.79910F, 14.17993F, -13.74515F, 4.64585F},
-          {0.33410F, 1.38459F, 0.09510F, -19.33244F, 56.69055F, -65.35303F, 26.31243F}}},
-        t);
+    return interpolated(k_viridis, t);
 }
 
-// Fit to the table of Nuñez, Anderton and Renslow 2018 (CC0), channels of 0..255.
 Colour cividis(float t) {
-    const Colour c = polynomial<6>(
-        {{{-4.54F / 255, -35.34F / 255, 2381.73F / 255, -6402.7F / 255, 7024.72F / 255,
-           -2710.57F / 255},
-          {32.49F / 255, 170.73F / 255, 52.82F / 255, -131.46F / 255, 176.58F / 255, -67.37F / 255},
-          {81.24F / 255, 442.36F / 255, -2482.43F / 255, 6167.24F / 255, -6614.94F / 255,
-           2475.67F / 255}}},
-        t);
-    return c;
+    return interpolated(k_cividis, t);
 }
 
-// Fit to the table of A. Mikhailov (Google, Apache 2.0), channels of 0..255.
 Colour turbo(float t) {
-    return polynomial<6>({{{34.61F / 255, 1172.33F / 255, -10793.56F / 255, 33300.12F / 255,
-                            -38394.49F / 255, 14825.05F / 255},
-                           {23.31F / 255, 557.33F / 255, 1225.33F / 255, -3574.96F / 255,
-                            1073.77F / 255, 707.56F / 255},
-                           {27.2F / 255, 3211.1F / 255, -15327.97F / 255, 27814.0F / 255,
-                            -22569.18F / 255, 6838.66F / 255}}},
-                         t);
+    return interpolated(k_turbo, t);
 }
 
 /// Moreland's polar form of CIELAB: magnitude, saturation angle, hue angle.

@@ -24,8 +24,7 @@ struct ColourMap {
 
 /// seed: green (0,1,0) to red (1,0,0), straight in displayed RGB, as in Vogiannou et al. 2010.
 /// coolwarm: Moreland 2009, "Diverging color maps for scientific visualization", blue to red
-/// through light grey, computed in his Msh space. viridis, cividis, turbo: polynomials fitted to
-/// the published tables (van der Walt and Smith 2015, Nuñez et al. 2018, Mikhailov 2019).
+/// through light grey, computed in his Msh space. viridis, cividis, turbo: the published tables.
 std::span<const ColourMap> colour_maps();
 
 /// The map of that name; null when there is none.
