@@ -12,13 +12,13 @@ namespace weft {
 namespace {
 
 void list_fabrics() {
-    fmt::print("{:<10} {:>7} {:>15} {:>6} {:>8}  {}\n", "name", "kg/m^2", "weft/warp N/m", "shear",
-               "bend N m", "description");
+    fmt::print("{:<10} {:>7} {:>15} {:>6} {:>9}  {}\n", "name", "kg/m^2", "weft/warp N/m", "shear",
+               "bend uN m", "description");
     for (const Fabric& fabric : fabric_library()) {
         const FabricParams& f = fabric.params;
-        fmt::print("{:<10} {:>7.3f} {:>15} {:>6.4g} {:>8.2g}  {}\n", fabric.name, f.area_density,
+        fmt::print("{:<10} {:>7.3f} {:>15} {:>6.4g} {:>9.1f}  {}\n", fabric.name, f.area_density,
                    fmt::format("{:.0f}/{:.0f}", f.stretch_stiffness[0], f.stretch_stiffness[1]),
-                   f.shear_stiffness, f.bend_stiffness, fabric.description);
+                   f.shear_stiffness, 1e6 * f.bend_stiffness, fabric.description);
     }
 }
 

@@ -32,7 +32,8 @@ int integer_at(const toml::node& node, const std::string& path) {
     if (!value) {
         fail_at(node, path, "must be an integer");
     }
-    if (std::abs(*value) > std::numeric_limits<int>::max()) {
+    constexpr std::int64_t k_most = std::numeric_limits<int>::max();
+    if (*value > k_most || *value < -k_most) {
         fail_at(node, path, "must be an integer of at most 2147483647");
     }
     return static_cast<int>(*value);
