@@ -13,13 +13,14 @@ void read_grid(TomlTable& cloth, ClothParams& params) {
     grid.finish();
 }
 
-/// `[cloth.adapt]`: the keys are known, but only "off" has a meaning yet.
+/// `[cloth.adapt]`: the keys are known, but only "off" has a meaning yet, and it must be said,
+/// since the format's default is on.
 void read_adapt(TomlTable& cloth) {
     if (!cloth.has("adapt")) {
         return;
     }
     TomlTable adapt = cloth.table("adapt");
-    int levels = 0;
+    int levels = 4;
     double curvature = 0.0;
     int max_triangles = 0;
     adapt.read("levels", levels);

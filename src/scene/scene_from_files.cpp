@@ -6,6 +6,7 @@
 #include "scene/toml_writer.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <sstream>
 
@@ -72,6 +73,15 @@ std::string unique_name(const std::filesystem::path& file, std::vector<std::stri
     return name;
 }
 
+/// A number as a number, a word as a word.
+std::string units_text(const std::string& units) {
+    double number = 0.0;
+    const char* const last = units.data() + units.size();
+    const auto [end, error] = std::from_chars(units.data(), last, number);
+    const bool is_number = error == std::errc{} && end == last && std::isfinite(number);
+    return is_number ? TomlWriter::toml_text(number) : TomlWriter::toml_text(units);
+}
+
 void write_file(TomlWriter& out,
                 const SceneFiles& files,
                 const std::filesystem::path& file,
@@ -79,8 +89,7 @@ void write_file(TomlWriter& out,
     out.line("name", unique_name(file, taken));
     out.line("mesh", file.string());
     if (!files.units.empty()) {
-        const bool is_number = files.units.find_first_of("0123456789") != std::string::npos;
-        out.write("units", is_number ? files.units : TomlWriter::toml_text(files.units));
+        out.write("units", units_text(files.units));
     }
     if (!files.up.empty()) {
         out.line("up", files.up);
