@@ -1,7 +1,11 @@
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "scene/scene_reader.h"
+#include "support/paths.h"
 
 #include <gtest/gtest.h>
+
+#include <random>
 
 namespace weft {
 namespace {
@@ -129,6 +133,8 @@ const std::vector<Broken> k_not_yet{
      "a.toml:4:9: cloth[0].model = \"cubic\": not there yet; must be \"corotational\""},
     {"refinement", cloth("[cloth.adapt]\nlevels = 4\n"),
      "a.toml:5:10: cloth[0].adapt.levels = 4: not there yet; must be 0 (off)"},
+    {"refinement by default", cloth("[cloth.adapt]\nmax_triangles = 5000\n"),
+     "a.toml:4:1: cloth[0].adapt.levels: not there yet; must be 0 (off)"},
     {"solids", "[[solid]]\nname = \"cube\"\n" + cloth(""), "a.toml:1:1: solid: not there yet"},
     {"rigid bodies", "[[rigid]]\nname = \"ball\"\n" + cloth(""),
      "a.toml:1:1: rigid: not there yet"},
@@ -152,6 +158,37 @@ TEST(BrokenScenes, SayWhereTheParserStopped) {
 
     EXPECT_EQ(message.substr(0, message.find(": not TOML")), "a.toml:2:10");
     EXPECT_EQ(message.find('\n'), std::string::npos);
+}
+
+/// Whatever a slip of the keyboard makes of a scene: it is read, or refused in one line with a
+/// place.
+TEST(BrokenScenes, AnySlipIsReadOrRefusedInOneLine) {
+    const std::string scene = read_file(test::source_path("tests/scenes/every_key.toml"));
+    const std::string keys = "=[]{}\".,-#\nx0";
+    std::mt19937 random(1);
+    int refused = 0;
+    for (int i = 0; i < 3000; ++i) {
+        std::string text = scene;
+        const std::size_t at = random() % text.size();
+        if (i % 3 == 0) {
+            text.erase(at, 1);
+        } else if (i % 3 == 1) {
+            text.insert(at, 1, keys[random() % keys.size()]);
+        } else {
+            text.resize(at);
+        }
+        try {
+            read_scene_text(text, "a.toml", "");
+        } catch (const Error& error) {
+            const std::string message = error.what();
+            EXPECT_EQ(error.code(), ExitCode::BadInput);
+            EXPECT_TRUE(message.starts_with("a.toml:")) << message;
+            EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+            EXPECT_EQ(message.find(":0:"), std::string::npos) << message;
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 1000);
 }
 
 TEST(BrokenScenes, AFileThatIsNotThereIsTheDisksFault) {

@@ -57,6 +57,13 @@ TEST(SceneFromFiles, RefusesWhatIsNoPin) {
     }
 }
 
+TEST(SceneFromFiles, TakesUnitsAsAWordOrANumber) {
+    EXPECT_DOUBLE_EQ(
+        scene_from_files({.garment = "a.obj", .units = "1e-3"}).cloths[0].mesh.metres_per_unit,
+        1e-3);
+    EXPECT_THROW(scene_from_files({.garment = "a.obj", .units = "2x"}), Error);
+}
+
 TEST(SceneFromFiles, ErrorsNameTheCommandLine) {
     try {
         scene_from_files({.garment = "a.obj", .fabric = "coton"});
