@@ -1,0 +1,104 @@
+#include "geometry/crossing.h"
+#include "geometry/predicates.h"
+#include "geometry/separation.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace weft {
+
+namespace {
+
+/// Sign of the same determinant in integers, exact for coordinates below 2^19.
+int integer_orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const auto whole = [&](const Vec3& x, Eigen::Index k) {
+        return static_cast<std::int64_t>(x[k]) - static_cast<std::int64_t>(d[k]);
+    };
+    const std::int64_t determinant =
+        whole(a, 0) * (whole(b, 1) * whole(c, 2) - whole(b, 2) * whole(c, 1)) -
+        whole(a, 1) * (whole(b, 0) * whole(c, 2) - whole(b, 2) * whole(c, 0)) +
+        whole(a, 2) * (whole(b, 0) * whole(c, 1) - whole(b, 1) * whole(c, 0));
+    return (determinant > 0) - (determinant < 0);
+}
+
+} // namespace
+
+TEST(Orientation, IsTheSignOfTheDeterminant) {
+    const Vec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
+
+    EXPECT_EQ(orientation(a, b, c, {0.2, 0.2, -1}), 1);
+    EXPECT_EQ(orientation(a, b, c, {0.2, 0.2, 1}), -1);
+    EXPECT_EQ(orientation(a, b, c, {5, -3, 0}), 0);
+}
+
+TEST(Orientation, IsExactAmongNearlyFlatPoints) {
+    // Integers up to 2^18 in a thin layer: the determinant in doubles is often wrong only in sign.
+    std::mt19937 engine(3);
+    std::uniform_int_distribution<int> wide(-(1 << 18), 1 << 18);
+    std::uniform_int_distribution<int> thin(-1, 1);
+    int flat = 0;
+
+    for (int i = 0; i < 2000; ++i) {
+        const auto point = [&] {
+            const int x = wide(engine), y = wide(engine);
+            return Vec3(x, y, x / 2 + y / 2 + thin(engine));
+        };
+        const Vec3 a = point(), b = point(), c = point();
+        const Vec3 d = i % 4 == 0 ? Vec3(2 * b - a) : point();
+        EXPECT_EQ(orientation(a, b, c, d), integer_orientation(a, b, c, d)) << i;
+        flat += integer_orientation(a, b, c, d) == 0;
+    }
+
+    EXPECT_GE(flat, 500);
+}
+
+TEST(Orientation, SeesTheLastBitOfACoordinate) {
+    const Vec3 a(0.1, 0.1, 0.1), b(0.7, 0.7, 0.7), c(0.3, 0.9, 0.3);
+    Vec3 d(0.5, 0.2, 0.5); // all in the plane x = z
+
+    EXPECT_EQ(orientation(a, b, c, d), 0);
+    d.x() = std::nextafter(0.5, 1.0);
+    const int above = orientation(a, b, c, d);
+    d.x() = std::nextafter(0.5, 0.0);
+    EXPECT_EQ(orientation(a, b, c, d), -above);
+    EXPECT_NE(above, 0);
+}
+
+TEST(SegmentMeetsTriangle, ThroughBesideAndShortOfIt) {
+    const Vec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
+
+    EXPECT_TRUE(segment_meets_triangle({0.2, 0.2, -1}, {0.2, 0.2, 1}, a, b, c));
+    EXPECT_TRUE(segment_meets_triangle({0.2, 0.2, 1}, {0.2, 0.2, -1}, a, b, c));
+    EXPECT_FALSE(segment_meets_triangle({0.8, 0.8, -1}, {0.8, 0.8, 1}, a, b, c));
+    EXPECT_FALSE(segment_meets_triangle({0.2, 0.2, 0.1}, {0.2, 0.2, 1}, a, b, c));
+    EXPECT_TRUE(segment_meets_triangle({0.2, 0.2, 0}, {0.2, 0.2, 1}, a, b, c));   // touches
+    EXPECT_FALSE(segment_meets_triangle({-1, 0.2, 0}, {2, 0.2, 0}, a, b, c));     // in its plane
+    EXPECT_FALSE(segment_meets_triangle({0.2, 0.2, -1}, {0.2, 0.2, 1}, a, b, b)); // without area
+}
+
+TEST(TrianglesCross, OnlyBeyondWhatTheyShare) {
+    const std::vector<Vec3> x{{0, 0, 0},     {1, 0, 0},      {0, 1, 0},       {1, 1, 0.5},
+                              {0.3, 0.3, 1}, {0.3, 0.3, -1}, {0.4, 0.2, 0.5}, {2, 2, 3}};
+    const Triangle base{0, 1, 2};
+
+    EXPECT_TRUE(triangles_cross(base, {4, 5, 7}, x));
+    EXPECT_FALSE(triangles_cross(base, {4, 6, 7}, x));
+    EXPECT_FALSE(triangles_cross(base, {1, 3, 2}, x)); // share a side
+    EXPECT_FALSE(triangles_cross(base, {0, 6, 4}, x)); // share a vertex
+    EXPECT_TRUE(triangles_cross(base, {0, 4, 5}, x));  // share a vertex, cross beyond it
+    EXPECT_TRUE(triangles_cross({0, 4, 5}, base, x));
+    EXPECT_FALSE(triangles_cross(base, base, x));
+}
+
+TEST(TrianglesCross, PlaceLiesInBoth) {
+    const std::vector<Vec3> x{{0, 0, 0},     {1, 0, 0},      {0, 1, 0},
+                              {0.2, 0.3, 1}, {0.2, 0.3, -1}, {2, 2, 3}};
+
+    const Vec3 place = crossing_place({0, 1, 2}, {3, 4, 5}, x);
+
+    EXPECT_LT(separation(PairKind::VertexFace, {place, x[0], x[1], x[2]}).distance, 1e-12);
+    EXPECT_LT(separation(PairKind::VertexFace, {place, x[3], x[4], x[5]}).distance, 1e-12);
+}
+
+} // namespace weft
