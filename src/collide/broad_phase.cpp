@@ -19,6 +19,21 @@ std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
 }
 
+Vec3 mean(std::span<const Vec3> v) {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& one : v) {
+        sum += one;
+    }
+    return v.empty() ? sum : Vec3(sum / static_cast<double>(v.size()));
+}
+
+/// Does the straight way to `end` stay in the box of the way to `seen`, larger by `slack`? Both
+/// begin at the origin.
+bool stays_within(const Vec3& end, const Vec3& seen, double slack) {
+    return (end.array() >= seen.array().min(0.0) - slack).all() &&
+           (end.array() <= seen.array().max(0.0) + slack).all();
+}
+
 bool shares_vertex(const Triangle& t, Index v) {
     return t[0] == v || t[1] == v || t[2] == v;
 }
@@ -39,85 +54,92 @@ BroadPhase::BroadPhase(const ContactSurface& surface, bool self) : self_(self) {
     }
     vertex_boxes_.resize(surface.start.size());
     triangle_boxes_.resize(surface.triangles.size());
-    path_low_.resize(at(surface.deformable_vertices));
-    path_high_.resize(at(surface.deformable_vertices));
+    obstacles_.resize(surface.objects.size());
 }
 
 void BroadPhase::find(const ContactSurface& surface,
                       double dt,
                       std::vector<Candidate>& candidates) {
-    fit(surface, dt);
     candidates.clear();
-    const auto gather = [&](const BoxTree& a, const BoxTree& b, Index first_a, Index first_b) {
-        BoxTree::split(a, b, k_tasks, tasks_);
-        found_.resize(std::max(found_.size(), tasks_.size()));
-        parallel_for(
-            tasks_.size(),
-            [&](std::size_t i) {
-                found_[i].clear();
-                BoxTree::overlaps(a, b, tasks_[i], [&](Index s, Index t) {
-                    look_at(surface, first_a + s, first_b + t, found_[i]);
-                });
-            },
-            1);
-        for (std::size_t i = 0; i < tasks_.size(); ++i) {
-            candidates.insert(candidates.end(), found_[i].begin(), found_[i].end());
-        }
-    };
+    const auto moving = std::span(surface.velocity).first(at(surface.deformable_vertices));
+    seen_velocity_.assign(moving.begin(), moving.end());
+    frame_velocity_ = mean(moving);
+    const Range deformable{0, at(surface.deformable_vertices), 0, at(surface.deformable_triangles)};
     if (self_) {
-        gather(deformables_, deformables_, 0, 0);
+        // Among deformables only relative motion counts: what falls as a whole sweeps no space.
+        fit(surface, deformable, frame_velocity_, dt, deformables_);
+        gather(surface, deformables_, deformables_, 0, candidates);
     }
-    std::size_t tree = 0;
-    for (const ContactObject& object : surface.objects) {
+    fit(surface, deformable, Vec3::Zero(), dt, deformables_);
+    for (std::size_t o = 0; o < surface.objects.size(); ++o) {
+        const ContactObject& object = surface.objects[o];
         if (object.is_obstacle) {
-            gather(deformables_, obstacles_[tree++], 0, object.first_triangle);
+            const std::size_t vertex = at(object.first_vertex);
+            const std::size_t triangle = at(object.first_triangle);
+            fit(surface,
+                {vertex, vertex + at(object.vertex_count), triangle,
+                 triangle + at(object.triangle_count)},
+                Vec3::Zero(), dt, obstacles_[o]);
+            gather(surface, deformables_, obstacles_[o], object.first_triangle, candidates);
         }
+    }
+}
+
+void BroadPhase::gather(const ContactSurface& surface,
+                        const BoxTree& a,
+                        const BoxTree& b,
+                        Index first_b,
+                        std::vector<Candidate>& candidates) {
+    BoxTree::split(a, b, k_tasks, tasks_);
+    found_.resize(std::max(found_.size(), tasks_.size()));
+    parallel_for(
+        tasks_.size(),
+        [&](std::size_t i) {
+            found_[i].clear();
+            BoxTree::overlaps(a, b, tasks_[i], [&](Index s, Index t) {
+                look_at(surface, s, first_b + t, found_[i]);
+            });
+        },
+        1);
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+        candidates.insert(candidates.end(), found_[i].begin(), found_[i].end());
     }
 }
 
 bool BroadPhase::covers(const ContactSurface& surface, double dt) const {
     return parallel_reduce(
-        path_low_.size(), true,
+        seen_velocity_.size(), true,
         [&](std::size_t i) {
-            const Vec3 end = surface.start[i] + dt * surface.velocity[i];
-            return (end.array() >= path_low_[i].array()).all() &&
-                   (end.array() <= path_high_[i].array()).all();
+            const double slack = slack_[at(surface.object_of_vertex[i])];
+            const Vec3 end = dt * surface.velocity[i];
+            const Vec3 seen = dt * seen_velocity_[i];
+            const Vec3 frame = dt * frame_velocity_;
+            return stays_within(end, seen, slack) &&
+                   (!self_ || stays_within(end - frame, seen - frame, slack));
         },
         [](bool a, bool b) { return a && b; });
 }
 
-void BroadPhase::fit(const ContactSurface& surface, double dt) {
-    parallel_for(surface.start.size(), [&](std::size_t i) {
+void BroadPhase::fit(const ContactSurface& surface,
+                     const Range& range,
+                     const Vec3& frame_velocity,
+                     double dt,
+                     BoxTree& tree) {
+    parallel_for(range.end_vertex - range.first_vertex, [&](std::size_t k) {
+        const std::size_t i = range.first_vertex + k;
         const std::size_t object = at(surface.object_of_vertex[i]);
         const Vec3& from = surface.start[i];
-        const Vec3 to = from + dt * surface.velocity[i];
+        const Vec3 to = from + dt * (surface.velocity[i] - frame_velocity);
         vertex_boxes_[i] = segment_box(from, to, reach_[object] + slack_[object]);
-        if (i < path_low_.size()) {
-            path_low_[i] = from.cwiseMin(to).array() - slack_[object];
-            path_high_[i] = from.cwiseMax(to).array() + slack_[object];
-        }
     });
-    fit_triangles(surface, 0, surface.deformable_triangles, deformables_);
-    std::size_t tree = 0;
-    for (const ContactObject& object : surface.objects) {
-        if (object.is_obstacle) {
-            obstacles_.resize(std::max(obstacles_.size(), tree + 1));
-            fit_triangles(surface, object.first_triangle, object.triangle_count,
-                          obstacles_[tree++]);
-        }
-    }
-}
-
-void BroadPhase::fit_triangles(const ContactSurface& surface,
-                               Index first,
-                               Index count,
-                               BoxTree& tree) {
-    parallel_for(at(count), [&](std::size_t i) {
-        const Triangle& t = surface.triangles[at(first) + i];
-        triangle_boxes_[at(first) + i] =
+    parallel_for(range.end_triangle - range.first_triangle, [&](std::size_t k) {
+        const Triangle& t = surface.triangles[range.first_triangle + k];
+        triangle_boxes_[range.first_triangle + k] =
             unite(unite(vertex_boxes_[at(t[0])], vertex_boxes_[at(t[1])]), vertex_boxes_[at(t[2])]);
     });
-    const auto boxes = std::span(triangle_boxes_).subspan(at(first), at(count));
+    const auto boxes =
+        std::span(triangle_boxes_)
+            .subspan(range.first_triangle, range.end_triangle - range.first_triangle);
     if (tree.empty()) {
         tree = BoxTree(boxes);
     } else {

@@ -36,8 +36,21 @@ public:
     bool covers(const ContactSurface& surface, double dt) const;
 
 private:
-    void fit(const ContactSurface& surface, double dt);
-    void fit_triangles(const ContactSurface& surface, Index first, Index count, BoxTree& tree);
+    /// Part of the surface.
+    struct Range {
+        std::size_t first_vertex, end_vertex, first_triangle, end_triangle;
+    };
+    /// Boxes of what a range sweeps, seen from a frame that moves with `frame_velocity`.
+    void fit(const ContactSurface& surface,
+             const Range& range,
+             const Vec3& frame_velocity,
+             double dt,
+             BoxTree& tree);
+    void gather(const ContactSurface& surface,
+                const BoxTree& a,
+                const BoxTree& b,
+                Index first_b,
+                std::vector<Candidate>& candidates);
     void
     look_at(const ContactSurface& surface, Index s, Index t, std::vector<Candidate>& out) const;
 
@@ -45,9 +58,10 @@ private:
     std::vector<double> reach_; ///< of each object's boxes, m
     std::vector<double> slack_; ///< how far a vertex of each object may end aside, m
     std::vector<Box> vertex_boxes_, triangle_boxes_;
-    std::vector<Vec3> path_low_, path_high_; ///< #V deformable: bounds of the path, with slack
+    std::vector<Vec3> seen_velocity_;    ///< #V deformable, at the last find()
+    Vec3 frame_velocity_ = Vec3::Zero(); ///< mean of them
     BoxTree deformables_;
-    std::vector<BoxTree> obstacles_;
+    std::vector<BoxTree> obstacles_; ///< one an object of the surface; empty for deformables
     std::vector<BoxTree::Task> tasks_;
     std::vector<std::vector<Candidate>> found_; ///< a task
 };
