@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "app/inspect_mesh.h"
+#include "app/inspect_scene.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -48,11 +49,22 @@ MeshSource source_of(const InspectOptions& options, const std::string& file) {
     return source;
 }
 
+/// A folder is a run, a .toml a scene, everything else a mesh.
+InspectReport describe(const InspectOptions& options, const std::string& file) {
+    const std::filesystem::path path(file);
+    if (std::filesystem::is_directory(path)) {
+        return describe_run(path);
+    }
+    if (path.extension() == ".toml") {
+        return describe_scene(path);
+    }
+    return describe_mesh_file(path, source_of(options, file), options.as_cloth);
+}
+
 void inspect(const InspectOptions& options, ExitCode& code) {
     bool is_first = true;
     for (const std::string& file : options.files) {
-        const MeshReport report =
-            describe_mesh_file(file, source_of(options, file), options.as_cloth);
+        const InspectReport report = describe(options, file);
         fmt::print("{}{}", is_first ? "" : "\n", report.text);
         is_first = false;
         if (report.is_refused) {
@@ -66,8 +78,9 @@ void inspect(const InspectOptions& options, ExitCode& code) {
 void add_inspect_command(CLI::App& app, ExitCode& code) {
     auto options = std::make_shared<InspectOptions>();
     CLI::App* verb = app.add_subcommand(
-        "inspect", "Say what is in mesh files: counts, size in metres, defects with numbers");
-    verb->add_option("FILE", options->files, "mesh files")->required();
+        "inspect", "Say what is in a mesh, scene or run: counts, size in metres, defects");
+    verb->add_option("FILE", options->files, "mesh files, scenes (.toml), folders of runs")
+        ->required();
     verb->add_option("--units", options->units, "m, cm, mm, in or metres per unit of the file");
     verb->add_option("--up", options->up, "the file's up axis")
         ->check(CLI::IsMember(std::vector<std::string>{"y", "z"}));

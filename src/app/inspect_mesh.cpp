@@ -1,7 +1,9 @@
 #include "app/inspect_mesh.h"
 
+#include "app/sheet.h"
 #include "base/error.h"
 #include "geometry/mesh_measure.h"
+#include "geometry/self_crossings.h"
 #include "scene/object_choice.h"
 
 #include <fmt/core.h>
@@ -12,21 +14,6 @@
 namespace weft {
 
 namespace {
-
-/// Lines of "label  text", the texts under one another.
-class Sheet {
-public:
-    template <typename... Args>
-    void row(const char* label, fmt::format_string<Args...> format, Args&&... args) {
-        text +=
-            fmt::format("  {:<14}{}\n", label, fmt::format(format, std::forward<Args>(args)...));
-    }
-    std::string text;
-};
-
-std::string plural(std::size_t count, const char* noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 /// A length that may be tiny beside the object's size: in mm below 10 cm.
 std::string short_length(double metres) {
@@ -156,6 +143,13 @@ void describe_defects(const MeshAssembly& mesh, Sheet& sheet) {
     if (label[0] != '\0') {
         sheet.row(label, "none");
     }
+    const auto crossings = find_self_crossings(mesh.imported.mesh);
+    if (crossings.empty()) {
+        sheet.row("crossings", "none");
+    } else {
+        sheet.row("crossings", "{} of triangles: {}", plural(crossings.size(), "pair"),
+                  first_few(crossings));
+    }
     for (const std::string& warning : mesh.imported.warnings) {
         sheet.row("warning", "{}", warning);
     }
@@ -166,7 +160,7 @@ std::string without_name(const std::string& refusal, const std::string& name) {
     return refusal.starts_with(name + ": ") ? refusal.substr(name.size() + 2) : refusal;
 }
 
-MeshReport
+InspectReport
 describe_read_file(const MeshFile& file, const MeshSource& source, bool as_cloth, Sheet sheet) {
     const std::vector<std::size_t> chosen = choose_objects(file, source.objects, source.file);
     const MeshAssembly mesh = assemble_mesh(file, chosen, source, source.file);
@@ -191,7 +185,7 @@ describe_read_file(const MeshFile& file, const MeshSource& source, bool as_cloth
 
 } // namespace
 
-MeshReport
+InspectReport
 describe_mesh_file(const std::filesystem::path& file, const MeshSource& source, bool as_cloth) {
     Sheet sheet;
     sheet.text = source.file + "\n";

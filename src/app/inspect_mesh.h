@@ -8,8 +8,8 @@
 
 namespace weft {
 
-/// What `weft inspect` says about one mesh file.
-struct MeshReport {
+/// What `weft inspect` says about one file.
+struct InspectReport {
     std::string text;        ///< aligned lines, each with its end
     bool is_refused = false; ///< a simulation would refuse it
 };
@@ -19,7 +19,7 @@ struct MeshReport {
 ///
 /// @param source    unit, up axis, objects and repair, as in a scene
 /// @param as_cloth  what only cloth refuses counts as refused too
-MeshReport
+InspectReport
 describe_mesh_file(const std::filesystem::path& file, const MeshSource& source, bool as_cloth);
 
 } // namespace weft

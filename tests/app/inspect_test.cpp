@@ -1,4 +1,6 @@
-#include "app/inspect_mesh.h"
+#include "app/inspect_scene.h"
+#include "frames/run_paths.h"
+#include "frames/status.h"
 #include "support/paths.h"
 #include "support/temp_folder.h"
 #include "support/text_file.h"
@@ -31,13 +33,14 @@ TEST(Inspect, SaysWhatIsInAMesh) {
     const test::TempFolder folder;
     const auto file = test::write_file(folder / "cloth.obj", k_square);
 
-    const MeshReport report = describe_mesh_file(file, {.file = "cloth.obj"}, true);
+    const InspectReport report = describe_mesh_file(file, {.file = "cloth.obj"}, true);
 
     EXPECT_FALSE(report.is_refused);
     for (const char* words :
          {"cloth.obj\n", "Cloth", "4 in the file, 4 after welding", "2 in 1 part", "1 x 1 x 0 m",
           "1 loop", "4 edges, 4.000 m", "5: least 1.000 m, mean 1.083 m, greatest 1.414 m",
-          "angle 45 deg", "area          1 m^2", "1 island", "defects       none"}) {
+          "angle 45 deg", "area          1 m^2", "1 island", "defects       none",
+          "crossings     none"}) {
         EXPECT_TRUE(has(report.text, words)) << words << " is not in\n" << report.text;
     }
 }
@@ -46,7 +49,7 @@ TEST(Inspect, NamesWhatOnlyClothRefuses) {
     const test::TempFolder folder;
     const auto file = test::write_file(folder / "fin.obj", k_square + "v 0 0 1\nf 1 3 5\n");
 
-    const MeshReport report = describe_mesh_file(file, {.file = "fin.obj"}, false);
+    const InspectReport report = describe_mesh_file(file, {.file = "fin.obj"}, false);
 
     EXPECT_FALSE(report.is_refused);
     EXPECT_TRUE(has(report.text, "not as cloth  object \"Cloth\": 1 edge has more than two"))
@@ -83,6 +86,39 @@ TEST(Inspect, TakesUnitsUpAxisAndRepairFromTheCommandLine) {
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     EXPECT_TRUE(has(text, "0.01 x 0 x 0.01 m")) << text;
     EXPECT_TRUE(has(text, "repair dropped 1 triangle")) << text;
+}
+
+TEST(Inspect, ASceneListsItsObjectsAndTheirMeshes) {
+    const test::TempFolder folder;
+    test::write_file(folder / "cloth.obj", k_square);
+    test::write_file(folder / "fin.obj", k_square + "v 0 0 1\nf 1 3 5\n");
+    const auto good = test::write_file(folder / "good.toml",
+                                       "[[cloth]]\nname = \"flag\"\nmesh = \"cloth.obj\"\n"
+                                       "[[obstacle]]\nname = \"fin\"\nmesh = \"fin.obj\"\n");
+    const auto bad =
+        test::write_file(folder / "bad.toml", "[[cloth]]\nname = \"flag\"\nmesh = \"fin.obj\"\n");
+
+    const InspectReport report = describe_scene(good);
+
+    EXPECT_FALSE(report.is_refused) << report.text;
+    EXPECT_TRUE(has(report.text, "cloth         flag")) << report.text;
+    EXPECT_TRUE(has(report.text, "obstacle      fin: mesh, at rest")) << report.text;
+    EXPECT_TRUE(describe_scene(bad).is_refused); // cloth does not take the third triangle
+}
+
+TEST(Inspect, ARunShowsHowFarItCameAndItsExtremes) {
+    const test::TempFolder folder;
+    const RunPaths paths{folder.path()};
+    write_status(paths.status(), {.state = RunState::Done, .frame = 3, .frames = 3});
+    test::write_file(paths.stats(), "frame,stretch_max\n1,1\n2,1.25\n3,1.125\n");
+
+    const InspectReport report = describe_run(folder.path());
+
+    EXPECT_FALSE(report.is_refused) << report.text;
+    EXPECT_TRUE(has(report.text, "done: frame 3 of 3")) << report.text;
+    EXPECT_TRUE(has(report.text, "stretch_max               1.125            1         1.25"))
+        << report.text;
+    EXPECT_TRUE(describe_run(folder / "nothing").is_refused);
 }
 
 } // namespace weft

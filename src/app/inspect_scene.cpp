@@ -1,0 +1,70 @@
+#include "app/inspect_scene.h"
+
+#include "app/sheet.h"
+#include "base/error.h"
+#include "scene/scene_reader.h"
+
+namespace weft {
+
+namespace {
+
+/// The report of one mesh of the scene, moved in under its object.
+void add_mesh(const Scene& scene, const MeshSource& source, bool cloth, InspectReport& report) {
+    const InspectReport mesh = describe_mesh_file(scene.base_dir / source.file, source, cloth);
+    report.text += mesh.text;
+    report.is_refused = report.is_refused || mesh.is_refused;
+}
+
+std::string describe_cloth(const ClothParams& cloth) {
+    Sheet sheet;
+    sheet.row("cloth", "{}: fabric {}, {:.4g} kg/m^2, {}", cloth.name, cloth.fabric.name,
+              cloth.fabric.area_density, plural(cloth.pins.size(), "pin"));
+    if (cloth.mesh.file.empty()) {
+        sheet.row("", "grid {:.4g} x {:.4g} m, {} x {} cells", cloth.grid_size.x(),
+                  cloth.grid_size.y(), cloth.grid_cells[0], cloth.grid_cells[1]);
+    }
+    return sheet.text;
+}
+
+std::string describe_obstacle(const ObstacleParams& obstacle) {
+    constexpr std::array<const char*, 4> names{"mesh", "sphere", "box", "plane"};
+    Sheet sheet;
+    sheet.row("obstacle", "{}: {}, {}", obstacle.name,
+              names[static_cast<std::size_t>(obstacle.shape)],
+              obstacle.motion.empty() ? "at rest" : plural(obstacle.motion.size(), "pose key"));
+    return sheet.text;
+}
+
+} // namespace
+
+InspectReport describe_scene(const std::filesystem::path& file) {
+    Sheet sheet;
+    sheet.text = file.string() + "\n";
+    InspectReport report;
+    try {
+        const Scene scene = read_scene(file);
+        const double seconds = static_cast<double>(scene.scene.frames - 1) / scene.scene.fps;
+        sheet.row("scene", "{} at {:.4g} a second: {:.4g} s",
+                  plural(static_cast<std::size_t>(scene.scene.frames), "frame"), scene.scene.fps,
+                  seconds);
+        report.text = sheet.text;
+        for (const ClothParams& cloth : scene.cloths) {
+            report.text += describe_cloth(cloth);
+            if (!cloth.mesh.file.empty()) {
+                add_mesh(scene, cloth.mesh, true, report);
+            }
+        }
+        for (const ObstacleParams& obstacle : scene.obstacles) {
+            report.text += describe_obstacle(obstacle);
+            if (obstacle.shape == Shape::Mesh) {
+                add_mesh(scene, obstacle.mesh, false, report);
+            }
+        }
+    } catch (const Error& error) {
+        sheet.row("REFUSED", "{}", error.what());
+        return {sheet.text, true};
+    }
+    return report;
+}
+
+} // namespace weft
