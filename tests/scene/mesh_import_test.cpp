@@ -135,4 +135,11 @@ TEST(MeshImport, VerticesInNoFaceAreReportedAndLeftOut) {
         std::vector<std::string>{"1 of 4 vertices in the file are in no face and were left out"});
 }
 
+TEST(MeshImport, ObjLinesMayGoOnBehindABackslash) {
+    const ImportedMesh imported =
+        import_text("a.obj", "v 0 0 \\\n0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n3\n");
+
+    EXPECT_EQ(imported.mesh.triangles, std::vector<Triangle>({{0, 1, 2}}));
+}
+
 } // namespace weft
