@@ -37,6 +37,7 @@ int run_command_line(int argc, const char* const* argv) {
     ExitCode code = ExitCode::Done;
     add_fabric_command(app, code);
     add_inspect_command(app, code);
+    add_validate_command(app, code);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -17,5 +17,6 @@ int run_command_line(int argc, const char* const* argv);
 /// verb: declare it here, call it in commands.cpp.)
 void add_fabric_command(CLI::App& app, ExitCode& code);
 void add_inspect_command(CLI::App& app, ExitCode& code);
+void add_validate_command(CLI::App& app, ExitCode& code);
 
 } // namespace weft

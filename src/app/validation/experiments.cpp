@@ -1,0 +1,57 @@
+#include "app/validation/experiments.h"
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+
+#include <array>
+#include <limits>
+
+namespace weft {
+
+namespace {
+
+constexpr std::array k_experiments{
+    Experiment{"patch", "affine stretch of an irregular orthotropic mesh", validate_patch_test},
+    Experiment{"uniaxial", "Young's modulus and Poisson ratio of a pulled sheet",
+               validate_uniaxial},
+    Experiment{"off-axis", "modulus of an orthotropic sheet pulled across its yarns",
+               validate_off_axis},
+};
+
+ValidationRows run(const Experiment& experiment) {
+    try {
+        return experiment.run();
+    } catch (const Error& error) {
+        return {{.what = "did not finish",
+                 .measured = std::numeric_limits<double>::quiet_NaN(),
+                 .note = error.what()}};
+    }
+}
+
+} // namespace
+
+std::span<const Experiment> experiments() {
+    return k_experiments;
+}
+
+ValidationRows run_experiments(std::string_view only,
+                               const std::function<void(const Experiment&)>& starts) {
+    ValidationRows all;
+    for (const Experiment& experiment : experiments()) {
+        if (experiment.name.find(only) == std::string_view::npos) {
+            continue;
+        }
+        starts(experiment);
+        const Stopwatch watch;
+        ValidationRows rows = run(experiment);
+        const double share = watch.seconds() / static_cast<double>(rows.size());
+        for (ValidationRow& row : rows) {
+            row.experiment = experiment.name;
+            row.seconds = row.seconds > 0.0 ? row.seconds : share;
+            all.push_back(std::move(row));
+        }
+    }
+    return all;
+}
+
+} // namespace weft

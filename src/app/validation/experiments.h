@@ -1,0 +1,35 @@
+#pragma once
+
+#include "app/validation/row.h"
+
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+/// The experiments of `weft validate`: each builds its world in code, moves or settles it with the
+/// same forces and integrators as a simulation, and compares with the mechanics of the textbook.
+namespace weft {
+
+using ValidationRows = std::vector<ValidationRow>;
+
+struct Experiment {
+    std::string_view name;    ///< for --only
+    std::string_view subject; ///< one line
+    ValidationRows (*run)();
+};
+
+/// All of them, in the order of the table. (A new one: declare it below, name it in
+/// experiments.cpp.)
+std::span<const Experiment> experiments();
+
+/// Runs the experiments whose name contains `only` (empty: all), in order. `starts` is told of each
+/// before it runs. One that throws Error gives a row that misses and carries the message.
+ValidationRows run_experiments(std::string_view only,
+                               const std::function<void(const Experiment&)>& starts);
+
+ValidationRows validate_patch_test();
+ValidationRows validate_uniaxial();
+ValidationRows validate_off_axis();
+
+} // namespace weft

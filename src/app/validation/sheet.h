@@ -1,0 +1,27 @@
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+
+#include <vector>
+
+/// Flat sheets with the triangle patterns on which the mechanics is judged.
+namespace weft {
+
+struct Sheet {
+    std::vector<Vec2> points; ///< m
+    std::vector<Triangle> triangles;
+};
+
+/// nx by ny cells of a width × height rectangle at the origin, each cut along the same diagonal.
+Sheet one_diagonal_sheet(int nx, int ny, double width, double height);
+
+/// The same with diagonals alternating like a chess board.
+Sheet union_jack_sheet(int nx, int ny, double width, double height);
+
+/// Rows of equilateral triangles with side a; nx triangles' bases along x, ny rows.
+Sheet equilateral_sheet(int nx, int ny, double side);
+
+/// One-diagonal grid with inner points moved at random by up to `jitter` cells, then made Delaunay.
+Sheet irregular_sheet(int nx, int ny, double width, double height, double jitter, unsigned seed);
+
+} // namespace weft
