@@ -229,7 +229,8 @@ void check_ply(std::string_view bytes, const std::string& name) {
     const Header header(bytes, name);
     Body body(bytes.substr(header.size), header.encoding);
     for (const Element& element : header.elements) {
-        for (long long i = 0; i < element.count; ++i) {
+        // Without properties nothing follows; a wild count must not keep us busy.
+        for (long long i = 0; i < element.count && !element.properties.empty(); ++i) {
             for (const Property& property : element.properties) {
                 if (!check_property(body, property, i, header.vertices(), name)) {
                     fail_input("{}: damaged or truncated: {} of type {} announced, number {} is "
