@@ -2,6 +2,8 @@
 #include "scene/nearest_key.h"
 #include "scene/read_parts.h"
 
+#include <fmt/core.h>
+
 namespace weft {
 namespace {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "base/eigen.h"
-#include "base/error.h"
 
 #include <toml++/toml.h>
 
@@ -11,12 +10,6 @@
 #include <vector>
 
 namespace weft {
-
-/// Where a node stands: `shirt.toml:12:9`, or `--set KEY=VALUE` when it came from there.
-std::string place_of(const toml::source_region& source);
-
-/// A TOML value as the user would write it, on one line, shortened when long.
-std::string text_of(const toml::node& node);
 
 /// A table being read: typed access by key, every refusal in one line `place: path = value: what is
 /// allowed` (Error, BadInput), and a record of the keys that were asked for, so that finish() can

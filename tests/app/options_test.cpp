@@ -1,6 +1,7 @@
 #include "app/options.h"
 #include "base/error.h"
 #include "frames/frame.h"
+#include "render/colour_map.h"
 #include "scene/names.h"
 #include "support/paths.h"
 
@@ -94,6 +95,13 @@ TEST(SceneNames, AreTheQuantitiesThatFramesHold) {
     ASSERT_EQ(k_quantity_names.size(), k_quantities.size());
     for (std::size_t i = 0; i < k_quantities.size(); ++i) {
         EXPECT_EQ(k_quantity_names[i], k_quantities[i].name);
+    }
+}
+
+TEST(SceneNames, AreTheColourMapsThatCanBeDrawn) {
+    ASSERT_EQ(k_map_names.size(), colour_maps().size());
+    for (const std::string_view name : k_map_names) {
+        EXPECT_NE(find_colour_map(name), nullptr) << name;
     }
 }
 
