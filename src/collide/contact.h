@@ -28,7 +28,8 @@ struct CrossingPair {
 };
 
 /// Contact of all deformables with the obstacles and with each other. Keeps surfaces and trees
-/// between calls; its results depend on the arguments alone.
+/// between calls; its results depend on the arguments alone, those of the constructor included:
+/// make it of the world at t = 0, also for a run that goes on from a later state.
 class ContactSolver {
 public:
     ContactSolver(const World& world, const ContactParams& params);

@@ -267,8 +267,16 @@ ContactReport ContactSolver::Impl::resolve(double dt) {
     return report;
 }
 
+/// The trees keep the shape of their first boxes, and the order of contacts follows from it. They
+/// are made here so that the world given now decides, not the one that happens to be resolved first
+/// (a resumed run begins in its middle).
 ContactSolver::ContactSolver(const World& world, const ContactParams& params)
-    : impl_(std::make_unique<Impl>(world, params)) {}
+    : impl_(std::make_unique<Impl>(world, params)) {
+    const std::vector<Vec3> still(world.vertex_count(), Vec3::Zero());
+    const std::vector<char> held(world.vertex_count(), 0);
+    place_surface(impl_->surface, world, still, held, 1.0);
+    impl_->broad_phase.find(impl_->surface, 0.0, impl_->candidates);
+}
 ContactSolver::~ContactSolver() = default;
 ContactSolver::ContactSolver(ContactSolver&&) noexcept = default;
 

@@ -31,7 +31,8 @@ struct FrameReport {
 };
 
 /// Advances a world in time. Keeps matrices and trees between calls; the results depend on the
-/// world and the parameters alone.
+/// worlds and the parameters given, to the constructor and to each call, alone: make it of the
+/// world at t = 0, also for a run that goes on from a later state.
 class Stepper {
 public:
     Stepper(const World& world, const SceneParams& scene, const ContactParams& contact);
