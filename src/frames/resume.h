@@ -1,0 +1,28 @@
+#pragma once
+
+#include "frames/checkpoint.h"
+#include "frames/run_paths.h"
+#include "scene/scene.h"
+
+#include <functional>
+#include <optional>
+
+namespace weft {
+
+/// Hash of everything that a run's numbers depend on: the scene without [render] and the number of
+/// frames, and the geometry that its meshes gave. Where files lie does not matter.
+/// @param start the world as build_world made it
+std::uint64_t run_hash(const Scene& scene, const World& start);
+
+/// The checkpoint from which the run in a folder goes on; nullopt: from its beginning.
+///
+/// @param scene_hash run_hash of the scene asked for
+/// @param warn       receives a line for each damaged checkpoint
+/// Throws Error (CommandLine) when the folder's run has another scene, naming the first line that
+/// differs, other meshes, or more frames already; (Disk) when files cannot be read.
+std::optional<Checkpoint> find_resume_point(const RunPaths& paths,
+                                            const Scene& scene,
+                                            std::uint64_t scene_hash,
+                                            const std::function<void(const std::string&)>& warn);
+
+} // namespace weft
