@@ -44,16 +44,28 @@ Progress::~Progress() {
     finish();
 }
 
-void Progress::show(const ProgressNumbers& numbers) {
-    const double now = elapsed();
-    const bool last = numbers.frame >= frames_;
+bool Progress::is_due(int done) const {
     const bool every = verbosity_ == Verbosity::Verbose;
     const double pause = terminal_ ? k_rewrite : every ? 0.0 : k_interval;
-    if (verbosity_ == Verbosity::Quiet || (!last && now - shown_at_ < pause)) {
-        return;
+    return verbosity_ != Verbosity::Quiet && (done >= frames_ || elapsed() - shown_at_ >= pause);
+}
+
+void Progress::show(const ProgressNumbers& numbers) {
+    if (is_due(numbers.frame)) {
+        show_line(progress_line(numbers, frames_, clock_, elapsed()));
     }
-    shown_at_ = now;
-    const std::string line = progress_line(numbers, frames_, clock_, now);
+}
+
+void Progress::show_pictures(int drawn) {
+    if (is_due(drawn)) {
+        show_line(fmt::format("picture {}/{}  {:.3g} s/picture  {} left", drawn, frames_,
+                              clock_.seconds_per_frame(drawn, elapsed()),
+                              duration_text(clock_.seconds_left(drawn, elapsed()))));
+    }
+}
+
+void Progress::show_line(const std::string& line) {
+    shown_at_ = elapsed();
     // \033[K clears what a longer line has left behind.
     fmt::print(stderr, "{}{}{}", terminal_ ? "\r" : "", line, terminal_ ? "\033[K" : "\n");
     std::fflush(stderr);

@@ -46,6 +46,8 @@ public:
     Progress& operator=(const Progress&) = delete;
 
     void show(const ProgressNumbers& numbers);
+    /// The same for pictures: how many are drawn.
+    void show_pictures(int drawn);
     /// Ends the rewritten line, so that what follows stands on its own.
     void finish();
 
@@ -53,6 +55,9 @@ public:
     const FrameClock& clock() const { return clock_; }
 
 private:
+    void show_line(const std::string& line);
+    bool is_due(int done) const;
+
     static constexpr double k_interval = 2.0; ///< s between lines of a log; well below 30
     static constexpr double k_rewrite = 0.1;  ///< s between rewrites; faster only flickers
 
