@@ -35,6 +35,7 @@ int run_command_line(int argc, const char* const* argv) {
     app.set_version_flag("--version", "weft " WEFT_VERSION);
     app.require_subcommand(1);
     ExitCode code = ExitCode::Done;
+    add_simulate_command(app, code);
     add_fabric_command(app, code);
     add_inspect_command(app, code);
     add_validate_command(app, code);

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "app/frame_range.h"
+#include "app/ordered_worker.h"
+#include "app/progress.h"
+#include "frames/capture.h"
+#include "frames/run_writer.h"
+
+#include <memory>
+
+namespace weft {
+
+/// Takes each frame out of the simulation and has it written while the next one is computed.
+class Recorder {
+public:
+    Recorder(const RunPaths& paths,
+             const Scene& scene,
+             const World& start,
+             std::uint64_t scene_hash,
+             const FrameRange& wanted);
+
+    /// Takes up a stopped run after frame `last`.
+    void resume_after(int last);
+
+    /// Writes what is written once: the obstacles.
+    void begin();
+
+    /// The frame that the world stands at. Throws what writing an earlier one threw.
+    void record(const World& world,
+                const FrameReport& report,
+                double step_seconds,
+                const Progress& progress);
+
+    /// Makes sure that the run can go on from the world's frame.
+    void checkpoint(const World& world);
+
+    /// Waits until all is written and completes the tables.
+    void finish();
+
+    CsvTable statistics() const { return writer_.statistics(); }
+
+private:
+    int count_crossings(const World& world) const;
+
+    RunPaths paths_;
+    ContactParams contact_;
+    int frames_;
+    std::uint64_t scene_hash_;
+    FrameRange wanted_;
+    FrameCapture capture_;
+    Statistician statistician_;
+    RunWriter writer_;
+    OrderedWorker worker_{k_queue}; ///< last: its jobs use the others
+
+    /// Frames that may wait: enough to even out slow disks, few enough to hold little memory.
+    static constexpr std::size_t k_queue = 4;
+};
+
+} // namespace weft

@@ -1,0 +1,87 @@
+#include "app/commands.h"
+#include "app/options.h"
+#include "app/simulation.h"
+#include "app/summary.h"
+#include "base/parallel.h"
+#include "frames/acceptance.h"
+#include "frames/status.h"
+#include "scene/scene_writer.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace weft {
+
+namespace {
+
+struct SimulateOptions {
+    CommonOptions common;
+    InputOptions input;
+    double time_limit = k_forever; ///< s
+};
+
+FolderMode folder_mode(const CommonOptions& options) {
+    return options.resume      ? FolderMode::Resume
+           : options.overwrite ? FolderMode::Overwrite
+                               : FolderMode::Fresh;
+}
+
+ExitCode simulate_scene(const SimulateOptions& options, const Scene& scene) {
+    const CommonOptions& common = options.common;
+    const FolderMode mode = folder_mode(common);
+    if (!common.dry_run) {
+        check_run_folder(common.out, mode);
+    }
+    set_thread_count(common.threads);
+    std::vector<std::string> warnings;
+    World world = build_world(scene, [&](const std::string& line) {
+        warn("{}", line);
+        warnings.push_back(line);
+    });
+    refuse_crossings(world, scene.contact);
+    if (common.dry_run) {
+        fmt::print("{}", summarise(scene, world));
+        return ExitCode::Done;
+    }
+    const RunFolder folder(common.out, mode);
+    open_log(common.verbosity(), folder.paths().log());
+    spdlog::debug("weft {}: {} frames into {}", program_version(), scene.scene.frames,
+                  folder.paths().folder.string());
+    for (const std::string& line : warnings) {
+        spdlog::debug("{}", line); // the terminal has seen it already
+    }
+    return simulate(scene, world, folder,
+                    {.frames = common.frames,
+                     .fail_on = common.fail_on,
+                     .time_limit = options.time_limit,
+                     .verbosity = common.verbosity()});
+}
+
+ExitCode run(const SimulateOptions& options) {
+    open_log(options.common.verbosity());
+    check_rules(options.common.fail_on);
+    const Scene scene = scene_of_command_line(options.input, options.common);
+    if (options.common.print_config) {
+        fmt::print("{}", write_scene(scene, std::filesystem::current_path()));
+        return ExitCode::Done;
+    }
+    return simulate_scene(options, scene);
+}
+
+} // namespace
+
+void add_simulate_command(CLI::App& app, ExitCode& code) {
+    auto options = std::make_shared<SimulateOptions>();
+    CLI::App* verb = app.add_subcommand(
+        "simulate", "Simulate a scene, or a garment among obstacles: cache, statistics, pictures");
+    add_input_options(*verb, options->input);
+    add_common_options(*verb, options->common);
+    verb->add_option("--time-limit", options->time_limit,
+                     "stop after this time with a checkpoint and exit code 75")
+        ->type_name("SECONDS")
+        ->check(CLI::PositiveNumber);
+    verb->callback([options, &code] { code = run(*options); });
+}
+
+} // namespace weft

@@ -1,0 +1,63 @@
+#include "app/summary.h"
+
+#include <fmt/core.h>
+
+#include <numeric>
+
+namespace weft {
+
+namespace {
+
+std::string size_text(std::span<const Vec3> positions) {
+    Eigen::AlignedBox3d box;
+    for (const Vec3& x : positions) {
+        box.extend(x);
+    }
+    const Vec3 size = positions.empty() ? Vec3::Zero() : Vec3(box.sizes());
+    return fmt::format("{:.3g} x {:.3g} x {:.3g} m", size.x(), size.y(), size.z());
+}
+
+std::size_t pins_of(const World& world, const Cloth& cloth) {
+    return static_cast<std::size_t>(
+        std::count_if(world.pins.begin(), world.pins.end(), [&](const Pin& pin) {
+            return pin.vertex >= cloth.first_vertex &&
+                   pin.vertex < cloth.first_vertex + cloth.vertex_count;
+        }));
+}
+
+double mass_of(const World& world, const Cloth& cloth) {
+    const auto begin = world.masses.begin() + cloth.first_vertex;
+    return std::accumulate(begin, begin + cloth.vertex_count, 0.0);
+}
+
+} // namespace
+
+std::string summarise(const Scene& scene, const World& world) {
+    std::string text;
+    for (const Cloth& cloth : world.cloths) {
+        text += fmt::format("cloth '{}': {} vertices, {} triangles, {}, {:.3g} kg, {}, {} pinned\n",
+                            cloth.name, cloth.vertex_count, cloth.triangles.size(),
+                            size_text(world.positions_of(cloth)), mass_of(world, cloth),
+                            cloth.params.fabric.name, pins_of(world, cloth));
+    }
+    for (const Obstacle& obstacle : world.obstacles) {
+        text += fmt::format("obstacle '{}': {} vertices, {} triangles, {}, {} key frames\n",
+                            obstacle.name, obstacle.mesh.positions.size(),
+                            obstacle.mesh.triangles.size(), size_text(obstacle.mesh.positions),
+                            obstacle.params.motion.size());
+    }
+    const SceneParams& s = scene.scene;
+    const std::string substeps = s.substeps > 0 ? fmt::format("{}", s.substeps) : "automatic";
+    const std::string pictures =
+        scene.render.enabled
+            ? fmt::format("{}x{} pictures", scene.render.size[0], scene.render.size[1])
+            : "no pictures";
+    const double cache_bytes = 48.0 * static_cast<double>(world.vertex_count()) +
+                               13.0 * static_cast<double>(world.triangle_count());
+    return text + fmt::format("run: {} frames at {} a second ({:.4g} s), {} substeps a frame, {}, "
+                              "cache of about {:.3g} MB\n",
+                              s.frames, s.fps, (s.frames - 1) / s.fps, substeps, pictures,
+                              cache_bytes * s.frames / 1e6);
+}
+
+} // namespace weft
