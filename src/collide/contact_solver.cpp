@@ -25,8 +25,8 @@ namespace weft {
 
 namespace {
 
-constexpr ImpactLimit k_impulse_limit{.thickness_share = 0.3, .start_share = 0.7};
-constexpr ImpactLimit k_final_limit{.thickness_share = 0.1, .start_share = 0.4};
+constexpr ImpactLimit k_impulse_limit{.thickness_share = 0.3, .start_share = 0.8};
+constexpr ImpactLimit k_final_limit{.thickness_share = 0.1, .start_share = 0.5};
 
 /// Rounds over the proximities, at most, and the change of speed (m/s) at which they end.
 constexpr int k_proximity_sweeps = 16;
@@ -152,10 +152,9 @@ bool ContactSolver::Impl::pass_of_impulses(int pass, double dt, ContactReport& r
         count_zones(report);
     }
     for (int i = 0; i < (zones ? k_zone_sweeps : 1) && !impacts.empty(); ++i) {
-        double change = sweep(impact_rows, surface, look);
-        if (zones) {
-            change = std::max(change, sweep(proximities, surface, look));
-        }
+        // The proximities again: an impulse must not press a third pair together.
+        const double change = std::max(sweep(proximities, surface, look),
+                                       sweep(impact_rows, surface, look));
         if (change < k_settled_speed) {
             break;
         }

@@ -12,6 +12,26 @@ std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
 }
 
+/// False when the bounds of what the sides sweep show that they stay further apart than `reach`.
+bool may_meet(PairKind kind, const PairPoints& start, const PairPoints& motion, double reach) {
+    const std::size_t split = first_side(kind);
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        std::array<double, 2> low{Box::k_empty, Box::k_empty};
+        std::array<double, 2> high{-Box::k_empty, -Box::k_empty};
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::size_t side = i < split ? 0 : 1;
+            const double from = start[i][k];
+            const double to = from + motion[i][k];
+            low[side] = std::min({low[side], from, to});
+            high[side] = std::max({high[side], from, to});
+        }
+        if (low[0] > high[1] + reach || low[1] > high[0] + reach) {
+            return false;
+        }
+    }
+    return true;
+}
+
 } // namespace
 
 void ImpactSearch::find(const ContactSurface& surface,
@@ -29,8 +49,13 @@ void ImpactSearch::find(const ContactSurface& surface,
         }
         const double thickness = surface.rules[at(candidates[i].rule)].thickness;
         const PairPoints x = start_points(surface, v);
-        const auto toi = time_of_impact(candidates[i].kind, x, displacements(surface, v, dt),
-                                        {limit.thickness_share * thickness, limit.start_share});
+        const PairPoints motion = displacements(surface, v, dt);
+        const ApproachLimit nearest{limit.thickness_share * thickness, limit.start_share};
+        // Beyond the limit itself, the room that rounding needs.
+        if (!may_meet(candidates[i].kind, x, motion, 1.01 * nearest.distance)) {
+            return;
+        }
+        const auto toi = time_of_impact(candidates[i].kind, x, motion, nearest);
         if (toi && (*toi > 0.0 || separation(candidates[i].kind, x).distance > 0.0)) {
             out.push_back({static_cast<Index>(i), *toi});
         }
