@@ -16,6 +16,13 @@ constexpr std::array k_experiments{
                validate_uniaxial},
     Experiment{"off-axis", "modulus of an orthotropic sheet pulled across its yarns",
                validate_off_axis},
+    Experiment{"free-fall", "falling sheet, against the sum of each integrator",
+               validate_free_fall},
+    Experiment{"spin", "sheet that spins freely", validate_spin},
+    Experiment{"energy-decay", "what the integrators take out of a vibration",
+               validate_energy_decay},
+    Experiment{"momentum", "internal forces and contact between cloths keep momentum",
+               validate_momentum},
 };
 
 ValidationRows run(const Experiment& experiment) {

@@ -31,5 +31,9 @@ ValidationRows run_experiments(std::string_view only,
 ValidationRows validate_patch_test();
 ValidationRows validate_uniaxial();
 ValidationRows validate_off_axis();
+ValidationRows validate_free_fall();
+ValidationRows validate_spin();
+ValidationRows validate_energy_decay();
+ValidationRows validate_momentum();
 
 } // namespace weft
