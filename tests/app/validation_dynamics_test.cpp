@@ -46,4 +46,8 @@ TEST(ValidationDynamics, MomentumIsKept) {
     expect_within(validate_momentum());
 }
 
+TEST(ValidationDynamics, StretchedMembraneSoundsAtItsFrequency) {
+    expect_within(validate_membrane_frequency());
+}
+
 } // namespace weft

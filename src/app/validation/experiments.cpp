@@ -23,6 +23,10 @@ constexpr std::array k_experiments{
                validate_energy_decay},
     Experiment{"momentum", "internal forces and contact between cloths keep momentum",
                validate_momentum},
+    Experiment{"hanging-periods", "periods of a sheet that hangs by an edge",
+               validate_hanging_periods},
+    Experiment{"membrane-frequency", "first frequency of a stretched square membrane",
+               validate_membrane_frequency},
 };
 
 ValidationRows run(const Experiment& experiment) {

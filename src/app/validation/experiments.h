@@ -35,5 +35,7 @@ ValidationRows validate_free_fall();
 ValidationRows validate_spin();
 ValidationRows validate_energy_decay();
 ValidationRows validate_momentum();
+ValidationRows validate_hanging_periods();
+ValidationRows validate_membrane_frequency();
 
 } // namespace weft
