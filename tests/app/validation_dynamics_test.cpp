@@ -50,4 +50,12 @@ TEST(ValidationDynamics, StretchedMembraneSoundsAtItsFrequency) {
     expect_within(validate_membrane_frequency());
 }
 
+TEST(ValidationDynamics, IntegratorsHaveTheirOrder) {
+    expect_within(validate_order_in_time());
+}
+
+TEST(ValidationDynamics, MembraneIsOfSecondOrderInSpace) {
+    expect_within(validate_order_in_space());
+}
+
 } // namespace weft

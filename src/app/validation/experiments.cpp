@@ -27,6 +27,8 @@ constexpr std::array k_experiments{
                validate_hanging_periods},
     Experiment{"membrane-frequency", "first frequency of a stretched square membrane",
                validate_membrane_frequency},
+    Experiment{"order-in-time", "convergence with the substep", validate_order_in_time},
+    Experiment{"order-in-space", "convergence with the mesh", validate_order_in_space},
 };
 
 ValidationRows run(const Experiment& experiment) {

@@ -37,5 +37,7 @@ ValidationRows validate_energy_decay();
 ValidationRows validate_momentum();
 ValidationRows validate_hanging_periods();
 ValidationRows validate_membrane_frequency();
+ValidationRows validate_order_in_time();
+ValidationRows validate_order_in_space();
 
 } // namespace weft
