@@ -34,6 +34,11 @@ bool stays_within(const Vec3& end, const Vec3& seen, double slack) {
            (end.array() <= seen.array().max(0.0) + slack).all();
 }
 
+bool same_poses(const std::array<Pose, 2>& a, const std::array<Pose, 2>& b) {
+    return a[0].rotation == b[0].rotation && a[0].translation == b[0].translation &&
+           a[1].rotation == b[1].rotation && a[1].translation == b[1].translation;
+}
+
 bool shares_vertex(const Triangle& t, Index v) {
     return t[0] == v || t[1] == v || t[2] == v;
 }
@@ -55,6 +60,7 @@ BroadPhase::BroadPhase(const ContactSurface& surface, bool self) : self_(self) {
     vertex_boxes_.resize(surface.start.size());
     triangle_boxes_.resize(surface.triangles.size());
     obstacles_.resize(surface.objects.size());
+    fitted_poses_.resize(surface.objects.size());
 }
 
 void BroadPhase::find(const ContactSurface& surface,
@@ -76,10 +82,14 @@ void BroadPhase::find(const ContactSurface& surface,
         if (object.is_obstacle) {
             const std::size_t vertex = at(object.first_vertex);
             const std::size_t triangle = at(object.first_triangle);
-            fit(surface,
-                {vertex, vertex + at(object.vertex_count), triangle,
-                 triangle + at(object.triangle_count)},
-                Vec3::Zero(), dt, obstacles_[o]);
+            const std::array<Pose, 2> poses{object.start, object.end};
+            if (obstacles_[o].empty() || !same_poses(poses, fitted_poses_[o])) {
+                fit(surface,
+                    {vertex, vertex + at(object.vertex_count), triangle,
+                     triangle + at(object.triangle_count)},
+                    Vec3::Zero(), dt, obstacles_[o]);
+                fitted_poses_[o] = poses;
+            }
             gather(surface, deformables_, obstacles_[o], object.first_triangle, candidates);
         }
     }

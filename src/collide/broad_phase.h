@@ -62,6 +62,7 @@ private:
     Vec3 frame_velocity_ = Vec3::Zero(); ///< mean of them
     BoxTree deformables_;
     std::vector<BoxTree> obstacles_; ///< one an object of the surface; empty for deformables
+    std::vector<std::array<Pose, 2>> fitted_poses_; ///< of each object's tree: start, end
     std::vector<BoxTree::Task> tasks_;
     std::vector<std::vector<Candidate>> found_; ///< a task
 };
