@@ -16,10 +16,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// True for what a run makes before it writes its scene: its empty folders and that file half done.
+/// True for what a run makes before it writes its scene: its empty folders, its log and that
+/// file half done.
 bool is_bare(const fs::directory_entry& entry, const RunPaths& paths) {
     const fs::path& path = entry.path();
     if (path == paths.scene().string() + ".part") {
+        return true;
+    }
+    if (path == paths.log() && fs::is_directory(paths.checkpoints_dir())) {
         return true;
     }
     const bool ours =
