@@ -36,6 +36,7 @@ int run_command_line(int argc, const char* const* argv) {
     app.require_subcommand(1);
     ExitCode code = ExitCode::Done;
     add_simulate_command(app, code);
+    add_check_command(app, code);
     add_fabric_command(app, code);
     add_inspect_command(app, code);
     add_validate_command(app, code);

@@ -16,6 +16,7 @@ int run_command_line(int argc, const char* const* argv);
 /// when that is not Done, and throws Error for everything that goes wrong. One file a verb. (A new
 /// verb: declare it here, call it in commands.cpp.)
 void add_simulate_command(CLI::App& app, ExitCode& code);
+void add_check_command(CLI::App& app, ExitCode& code);
 void add_fabric_command(CLI::App& app, ExitCode& code);
 void add_inspect_command(CLI::App& app, ExitCode& code);
 void add_validate_command(CLI::App& app, ExitCode& code);
