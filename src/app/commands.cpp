@@ -40,6 +40,7 @@ int run_command_line(int argc, const char* const* argv) {
     add_fabric_command(app, code);
     add_inspect_command(app, code);
     add_validate_command(app, code);
+    add_render_command(app, code);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

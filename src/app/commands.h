@@ -20,5 +20,6 @@ void add_check_command(CLI::App& app, ExitCode& code);
 void add_fabric_command(CLI::App& app, ExitCode& code);
 void add_inspect_command(CLI::App& app, ExitCode& code);
 void add_validate_command(CLI::App& app, ExitCode& code);
+void add_render_command(CLI::App& app, ExitCode& code);
 
 } // namespace weft
