@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -11,7 +12,9 @@ namespace {
 
 constexpr double k_azimuth = 24.0 * std::numbers::pi / 180.0;   // to the right of +z
 constexpr double k_elevation = 13.0 * std::numbers::pi / 180.0; // above the horizon
-constexpr double k_filled = 0.86;     // share of the half height or width that the box may take
+constexpr double k_filled = 0.86;     // share of the half height that the box may take
+constexpr double k_left = 0.88;       // share of the half width to the left ...
+constexpr double k_right = 0.70;      // and to the right, where the legend stands
 constexpr double k_least_size = 1e-3; // m; a smaller box is seen as one of a metre
 
 double half_angle(double fov_deg) {
@@ -41,6 +44,33 @@ Axes axes_towards(const Vec3& back_direction) {
     axes.up = axes.back.cross(axes.right);
     return axes;
 }
+
+/// How far away, and how far beside the middle of a box, an eye must be that looks along -back and
+/// shall see the whole box within two planes, at these tangents below and above the line of sight.
+class View {
+public:
+    View(const Box3& box, const Vec3& axis, const Vec3& back, double tan_low, double tan_high)
+        : tan_low_(tan_low), tan_high_(tan_high) {
+        for (const Vec3& corner : corners(box)) {
+            const double x = axis.dot(corner - box.center());
+            const double z = back.dot(corner - box.center());
+            high_ = std::max(high_, x + z * tan_high); // x - shift <= (distance - z) tan_high
+            low_ = std::min(low_, x - z * tan_low);    // shift - x <= (distance - z) tan_low
+        }
+    }
+
+    double least_distance() const { return (high_ - low_) / (tan_low_ + tan_high_); }
+    /// So that the box stands in the middle of the picture, or as near to that as the planes allow.
+    double shift(double distance) const {
+        return std::max(high_ - distance * tan_high_,
+                        std::min(0.5 * (low_ + high_), low_ + distance * tan_low_));
+    }
+
+private:
+    double tan_low_, tan_high_;
+    double low_ = std::numeric_limits<double>::infinity();
+    double high_ = -std::numeric_limits<double>::infinity();
+};
 
 } // namespace
 
@@ -90,29 +120,13 @@ CameraParams frame_camera(const Box3& bounds, const std::array<int, 2>& size) {
     const Axes axes =
         axes_towards(Vec3(std::sin(k_azimuth) * std::cos(k_elevation), std::sin(k_elevation),
                           std::cos(k_azimuth) * std::cos(k_elevation)));
-    const double tan_up = std::tan(half_angle(camera.fov_deg)) * k_filled;
+    const double tan_up = std::tan(half_angle(camera.fov_deg));
     const double tan_right = tan_up * size[0] / size[1];
-
-    // Each corner must lie within the four planes through the eye: for the pair left and right,
-    // |x - shift| <= (d - z) tan; the two tightest corners give both the shift and the distance.
-    const Vec3 centre = box.center();
-    const auto fit = [&](const Vec3& axis, double tangent, double& shift) {
-        double most = -1e300;
-        double least = 1e300;
-        for (const Vec3& corner : corners(box)) {
-            const double x = axis.dot(corner - centre);
-            const double z = axes.back.dot(corner - centre);
-            most = std::max(most, x + z * tangent);
-            least = std::min(least, x - z * tangent);
-        }
-        shift = 0.5 * (most + least);
-        return 0.5 * (most - least) / tangent;
-    };
-    double shift_right = 0.0;
-    double shift_up = 0.0;
-    const double distance =
-        std::max(fit(axes.right, tan_right, shift_right), fit(axes.up, tan_up, shift_up));
-    camera.target = centre + shift_right * axes.right + shift_up * axes.up;
+    const View across(box, axes.right, axes.back, k_left * tan_right, k_right * tan_right);
+    const View upright(box, axes.up, axes.back, k_filled * tan_up, k_filled * tan_up);
+    const double distance = std::max(across.least_distance(), upright.least_distance());
+    camera.target =
+        box.center() + across.shift(distance) * axes.right + upright.shift(distance) * axes.up;
     camera.eye = camera.target + distance * axes.back;
     return camera;
 }
