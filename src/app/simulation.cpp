@@ -41,6 +41,7 @@ private:
     ExitCode judge();
     void dump_failure();
     void end(RunState state, ExitCode code, const std::string& message) const;
+    int last_written() const;
     bool should_stop() const;
 
     const Scene& scene_;
@@ -175,16 +176,26 @@ void Simulation::dump_failure() {
 /// Writes status.json; where a failure is being told the disk may be its reason, so none is added.
 void Simulation::end(RunState state, ExitCode code, const std::string& message) const {
     try {
-        write_status(paths_.status(), {.state = state,
-                                       .frame = world_.frame,
-                                       .frames = frames_,
-                                       .seconds_per_frame = seconds_per_frame_,
-                                       .exit_code = static_cast<int>(code),
-                                       .message = message});
+        write_status(paths_.status(),
+                     {.state = state,
+                      .frame = state == RunState::Failed ? last_written() : world_.frame,
+                      .frames = frames_,
+                      .seconds_per_frame = seconds_per_frame_,
+                      .exit_code = static_cast<int>(code),
+                      .message = message});
     } catch (const Error&) {
         if (state != RunState::Failed) {
             throw;
         }
+    }
+}
+
+/// The frame that status.json vouches for: after a failure the world may be ahead of the disk.
+int Simulation::last_written() const {
+    try {
+        return read_status(paths_.status()).frame;
+    } catch (const Error&) {
+        return 0;
     }
 }
 

@@ -289,7 +289,9 @@ TEST_F(Simulate, SaysThatTheDiskIsFull) {
 
     EXPECT_EQ(result.exit_code, 5) << result.err;
     EXPECT_NE(result.err.find("0010.weft: cannot write"), std::string::npos) << result.err;
-    EXPECT_EQ(read_status(RunPaths{out}.status()).state, RunState::Failed);
+    const RunStatus status = read_status(RunPaths{out}.status());
+    EXPECT_EQ(status.state, RunState::Failed);
+    EXPECT_EQ(status.frame, 9); // the last that is whole on the disk
 }
 
 } // namespace
