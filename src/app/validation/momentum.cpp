@@ -79,11 +79,13 @@ ValidationRow collision_row(Integrator integrator) {
         contacts += stepper.advance_frame(world, nullptr)->contact.contacts_self;
     }
     const double change = (linear_momentum(world) - before).norm() / scale;
+    const bool euler = integrator == Integrator::Euler;
     return {.what = "change of momentum of two sheets that collide: " + name_of(integrator),
             .measured = contacts > 0 ? change : std::numeric_limits<double>::quiet_NaN(),
-            .tolerance = 1e-10,
+            .tolerance = euler ? 1e-10 : 0.01,
             .relative = false,
-            .note = "1.3 m/s; friction 0.3; 5 frames of 4 substeps"};
+            .note = euler ? "1.3 m/s; friction 0.3; 5 frames of 4 substeps"
+                          : "the same; what is touched restarts from its average velocity"};
 }
 
 } // namespace
