@@ -20,6 +20,22 @@ struct ContactReport {
     double seconds_broad = 0.0, seconds_proximity = 0.0, seconds_impact = 0.0;
 };
 
+/// A place where a deformable stands against an obstacle when a substep starts, so that the
+/// implicit solve can carry it: between two sides whose relative motion is sum of weight * vertex
+/// motion plus the obstacle's.
+struct RestingContact {
+    std::array<Index, 4> pair;     ///< which pair of the contact surface it is
+    std::array<Index, 4> vertices; ///< of World; k_no_index where the obstacle stands
+    std::array<double, 4> weights; ///< of the deformable's vertices; 0 elsewhere
+    Vec3 obstacle_velocity;        ///< its share of the relative velocity, m/s
+    Vec3 normal;                   ///< unit; the sides part along it
+    double depth;                  ///< thickness - distance at the start, m
+    double mass;                   ///< that a push along the normal moves, kg
+    double friction;               ///< Coulomb
+    double impulse = 0.0;          ///< that the solve carried along the normal, N s, >= 0
+    Vec3 drag = Vec3::Zero();      ///< that it held across, N s
+};
+
 /// Two triangles that cross, by object and triangle number.
 struct CrossingPair {
     std::string object_a, object_b;
@@ -36,6 +52,12 @@ public:
     ~ContactSolver();
     ContactSolver(ContactSolver&&) noexcept;
 
+    /// Contacts of deformables with obstacles that stand now, in a fixed order; see RestingContact.
+    void find_resting(const World& world,
+                      std::span<const char> held,
+                      double dt,
+                      std::vector<RestingContact>& resting);
+
     /// Changes average velocities so that moving linearly from world.positions over dt, while
     /// obstacles move from world.time to world.time + dt, touches nothing closer than allowed:
     /// proximities with friction, then continuous detection with impulses and impact zones.
@@ -43,9 +65,13 @@ public:
     /// @param velocities #V average velocities v^{n+1/2}, m/s; those of vertices in `held` are kept
     /// @param held       #V flags: 1 = prescribed motion, infinite mass
     /// @param dt         s, > 0
+    /// @param resting    what the solve carried of find_resting's contacts: counts towards friction
     /// Source: Bridson et al. 2002; order of Bender and Deul 2013, section 3.
-    ContactReport
-    resolve(const World& world, std::span<Vec3> velocities, std::span<const char> held, double dt);
+    ContactReport resolve(const World& world,
+                          std::span<Vec3> velocities,
+                          std::span<const char> held,
+                          double dt,
+                          std::span<const RestingContact> resting = {});
 
     /// One line for the user each: cloths whose mesh is finer than their contact thickness.
     const std::vector<std::string>& warnings() const;

@@ -52,7 +52,8 @@ double settle(ContactRow& row, ContactSurface& surface, std::span<char> touched)
     const double impulse = std::max(0.0, row.impulse + row.mass * (row.least_speed - speed));
     const Vec3 across = v - speed * row.normal;
     Vec3 drag = row.drag - row.mass * across;
-    const double limit = row.friction * impulse;
+    const double limit =
+        std::max(row.friction * (impulse + row.carried), row.carried > 0.0 ? row.drag.norm() : 0.0);
     const double wanted = drag.norm();
     if (wanted > limit) {
         drag *= limit / wanted;

@@ -15,7 +15,9 @@ struct ContactRow {
     double least_speed;       ///< m/s
     double friction;          ///< Coulomb
     double impulse = 0.0;     ///< along normal so far, N s, >= 0
-    Vec3 drag = Vec3::Zero(); ///< across, so far, N s; |drag| <= friction * impulse
+    double carried = 0.0;     ///< along normal by the implicit solve before, N s, >= 0
+    Vec3 drag = Vec3::Zero(); ///< across, so far, N s; |drag| <= friction * (impulse + carried);
+                              ///< what the solve held beyond that is never given back
 };
 
 /// The condition that keeps a pair, seen at `place`, from being nearer than `thickness` along its

@@ -5,6 +5,7 @@
 #include "collide/impact.h"
 #include "collide/islands.h"
 #include "collide/proximity.h"
+#include "collide/resting.h"
 
 #include <fmt/core.h>
 
@@ -59,6 +60,7 @@ struct ContactSolver::Impl {
     ContactParams params;
     ContactSurface surface;
     BroadPhase broad_phase;
+    RestingSearch resting_search;
     ProximitySearch proximity_search;
     ImpactSearch impact_search;
     CrossingSearch crossing_search;
@@ -77,7 +79,7 @@ struct ContactSolver::Impl {
 
     Impl(const World& world, const ContactParams& contact)
         : params(contact), surface(make_surface(world)), broad_phase(surface, contact.self),
-          crossing_search(surface, contact.self) {
+          resting_search(surface), crossing_search(surface, contact.self) {
         for (const ContactObject& object : surface.objects) {
             if (contact.self && object.self_thickness < object.thickness) {
                 warnings.push_back(fmt::format(
@@ -88,9 +90,10 @@ struct ContactSolver::Impl {
         }
     }
 
-    ContactReport resolve(double dt);
+    ContactReport resolve(double dt, std::span<const RestingContact> resting);
     void find_candidates(double dt, ContactReport& report);
-    void settle_proximities(double dt, ContactReport& report);
+    void
+    settle_proximities(double dt, std::span<const RestingContact> resting, ContactReport& report);
     int resolve_impacts(double dt, ContactReport& report);
     bool pass_of_impulses(int pass, double dt, ContactReport& report);
     int cut_back_rest(double dt, ContactReport& report);
@@ -112,16 +115,19 @@ void ContactSolver::Impl::count_contact(const std::array<Index, 4>& vertices,
     ++(self ? report.contacts_self : report.contacts_obstacle);
 }
 
-void ContactSolver::Impl::settle_proximities(double dt, ContactReport& report) {
+void ContactSolver::Impl::settle_proximities(double dt,
+                                             std::span<const RestingContact> resting,
+                                             ContactReport& report) {
     const Stopwatch watch;
     proximity_search.find(surface, candidates, dt, proximities);
+    credit_carried(surface, resting, dt, proximities);
     for (int i = 0; i < k_proximity_sweeps; ++i) {
         if (sweep(proximities, surface, look) < k_settled_speed) {
             break;
         }
     }
     for (const ContactRow& row : proximities) {
-        if (row.impulse > 0.0 || row.least_speed > 0.0) {
+        if (row.impulse > 0.0 || row.carried > 0.0 || row.least_speed > 0.0) {
             count_contact(row.vertices, report);
         }
     }
@@ -255,12 +261,12 @@ void ContactSolver::Impl::measure_end(double dt,
     }
 }
 
-ContactReport ContactSolver::Impl::resolve(double dt) {
+ContactReport ContactSolver::Impl::resolve(double dt, std::span<const RestingContact> resting) {
     ContactReport report;
     look.assign(surface.start.size(), 0);
     const bool clean_before = is_clean_start();
     find_candidates(dt, report);
-    settle_proximities(dt, report);
+    settle_proximities(dt, resting, report);
     const int left = resolve_impacts(dt, report);
     measure_end(dt, clean_before, left, report);
     return report;
@@ -283,16 +289,27 @@ const std::vector<std::string>& ContactSolver::warnings() const {
     return impl_->warnings;
 }
 
+void ContactSolver::find_resting(const World& world,
+                                 std::span<const char> held,
+                                 double dt,
+                                 std::vector<RestingContact>& resting) {
+    resting.clear();
+    if (impl_->params.enabled) {
+        impl_->resting_search.find(impl_->surface, world, held, dt, resting);
+    }
+}
+
 ContactReport ContactSolver::resolve(const World& world,
                                      std::span<Vec3> velocities,
                                      std::span<const char> held,
-                                     double dt) {
+                                     double dt,
+                                     std::span<const RestingContact> resting) {
     if (!impl_->params.enabled) {
         return {};
     }
     ContactSurface& surface = impl_->surface;
     place_surface(surface, world, velocities, held, dt);
-    const ContactReport report = impl_->resolve(dt);
+    const ContactReport report = impl_->resolve(dt, resting);
     for (std::size_t i = 0; i < velocities.size(); ++i) {
         if (!held[i]) {
             velocities[i] = surface.velocity[i];

@@ -98,6 +98,7 @@ struct Stepper::Impl {
     ContactSolver solver;
     bool contact_enabled;
     HeldVertices held;
+    std::vector<RestingContact> resting;
     std::vector<Vec3> end_positions, end_velocities;       ///< as if nothing touched
     std::vector<Vec3> average_velocities, free_velocities; ///< with and without contact
 };
@@ -106,7 +107,11 @@ struct Stepper::Impl {
 bool Stepper::Impl::substep(World& world, double dt, FrameReport& report) {
     // 1. external forces and 2. one implicit step of all deformables
     find_held(world, world.time + dt, held);
-    const ImplicitReport step = implicit.solve(world, held, dt, end_positions, end_velocities);
+    if (contact_enabled) {
+        solver.find_resting(world, held.flags, dt, resting);
+    }
+    const ImplicitReport step =
+        implicit.solve(world, held, resting, dt, end_positions, end_velocities);
     report.cg_iterations += step.cg_iterations;
     if (!step.converged || moves_too_far(world, end_positions)) {
         return false;
@@ -123,7 +128,7 @@ bool Stepper::Impl::substep(World& world, double dt, FrameReport& report) {
     // 4. proximities with friction, and 5. impacts until none is left
     ContactReport contact;
     if (contact_enabled) {
-        contact = solver.resolve(world, average_velocities, held.flags, dt);
+        contact = solver.resolve(world, average_velocities, held.flags, dt, resting);
     }
     add_contact(report.contact, contact);
     add_seconds(report.seconds, step, contact);

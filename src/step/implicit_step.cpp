@@ -15,6 +15,10 @@ namespace {
 constexpr double k_slope_share = 0.5;
 constexpr int k_most_halvings = 10;
 
+/// A substep solves at most this often to make contact agree with its solution. Most need one or
+/// two; what is left is for the contact stage.
+constexpr int k_contact_rounds = 2;
+
 bool all_finite(std::span<const Vec3> values) {
     return parallel_reduce(
         values.size(), true, [&](std::size_t i) { return values[i].allFinite(); },
@@ -23,6 +27,18 @@ bool all_finite(std::span<const Vec3> values) {
 
 double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
     return parallel_sum(a.size(), [&](std::size_t i) { return a[i].dot(b[i]); });
+}
+
+/// Springs of contacts are as stiff as the membrane: half the sum of its moduli.
+std::vector<double> contact_stiffness(const World& world) {
+    std::vector<double> stiffness(world.vertex_count(), 0.0);
+    for (const Cloth& cloth : world.cloths) {
+        for (Index i = cloth.first_vertex; i < cloth.first_vertex + cloth.vertex_count; ++i) {
+            stiffness[static_cast<std::size_t>(i)] =
+                0.5 * cloth.params.fabric.stretch_stiffness.sum();
+        }
+    }
+    return stiffness;
 }
 
 std::vector<double> mass_damping(const World& world) {
@@ -40,10 +56,11 @@ std::vector<double> mass_damping(const World& world) {
 
 ImplicitStep::ImplicitStep(const World& world, const SceneParams& params)
     : params_(params), masses_(world.masses), mass_damping_(mass_damping(world)),
-      forces_(world, params), matrix_(forces_.assembler().pattern()) {
+      forces_(world, params), contact_forces_(contact_stiffness(world)),
+      matrix_(forces_.assembler().pattern()) {
     const std::size_t n = world.vertex_count();
-    for (auto* values : {&x_base_, &v_base_, &guess_, &x_, &v_, &force_, &residual_, &change_,
-                         &trial_x_, &trial_v_, &row_rhs_, &row_change_}) {
+    for (auto* values : {&x_base_, &v_base_, &guess_, &x_, &v_, &force_, &element_force_,
+                         &residual_, &change_, &trial_x_, &trial_v_, &row_rhs_, &row_change_}) {
         values->assign(n, Vec3::Zero());
     }
     diagonal_.assign(n, 0.0);
@@ -51,11 +68,12 @@ ImplicitStep::ImplicitStep(const World& world, const SceneParams& params)
 
 ImplicitReport ImplicitStep::solve(const World& world,
                                    const HeldVertices& held,
+                                   std::span<RestingContact> resting,
                                    double dt,
                                    std::vector<Vec3>& end_positions,
                                    std::vector<Vec3>& end_velocities) {
     ImplicitReport report;
-    start(world, dt);
+    start(world, resting, dt);
     forces_.start_substep(world.velocities);
     report.converged = true;
     for (int i = 0; i < params_.newton && report.converged; ++i) {
@@ -72,11 +90,12 @@ ImplicitReport ImplicitStep::solve(const World& world,
             end_velocities[i] = (held.targets[i] - world.positions[i]) / dt;
         }
     });
+    contact_forces_.report(end_positions, end_velocities, resting);
     report.converged = report.converged && all_finite(end_positions) && all_finite(end_velocities);
     return report;
 }
 
-void ImplicitStep::start(const World& world, double dt) {
+void ImplicitStep::start(const World& world, std::span<const RestingContact> resting, double dt) {
     const bool two_step = params_.integrator == Integrator::Bdf2 && world.history_dt == dt;
     beta_ = two_step ? 2.0 / 3.0 * dt : dt;
     const Vec3 gravity_impulse = params_.gravity * dt;
@@ -87,30 +106,59 @@ void ImplicitStep::start(const World& world, double dt) {
         v_base_[i] = two_step ? Vec3((4.0 * v - world.previous_velocities[i]) / 3.0) : v;
         x_[i] = x;
         v_[i] = (x - x_base_[i]) / beta_; // linearised where the substep starts
-        guess_[i] = v + gravity_impulse - v_[i];
+        guess_[i] = v + gravity_impulse;
     });
+    contact_forces_.start(resting, world.positions, world.velocities, guess_, dt);
+    parallel_for(v_.size(), [&](std::size_t i) { guess_[i] -= v_[i]; });
     floor_ = params_.gravity.norm() * dt *
              std::sqrt(parallel_sum(masses_.size(),
                                     [&](std::size_t i) { return masses_[i] * masses_[i]; }));
 }
 
-/// One linearisation and solve; false when it was the last one needed or failed.
+/// One linearisation, solved until contact agrees with it; false when it was the last one needed or
+/// failed.
 bool ImplicitStep::newton_iteration(const HeldVertices& held,
                                     bool is_first,
                                     ImplicitReport& report) {
-    Stopwatch watch;
-    forces_.evaluate(x_, v_, {beta_ * beta_, beta_}, force_);
+    const Stopwatch watch;
+    forces_.evaluate(x_, v_, {beta_ * beta_, beta_}, element_force_);
     report.seconds_forces += watch.seconds();
-
-    watch.restart();
-    find_residual();
-    parallel_for(diagonal_.size(),
-                 [&](std::size_t i) { diagonal_[i] = masses_[i] + beta_ * mass_damping_[i]; });
-    forces_.assemble(diagonal_, matrix_);
     parallel_for(v_.size(), [&](std::size_t i) {
         const Vec3 held_change = (held.targets[i] - x_base_[i]) / beta_ - v_[i];
         change_[i] = held.flags[i] != 0 ? held_change : is_first ? guess_[i] : Vec3(Vec3::Zero());
     });
+    for (int round = 0; round < k_contact_rounds; ++round) {
+        if (!linear_solve(held, report)) {
+            return false;
+        }
+        parallel_for(v_.size(), [&](std::size_t i) { trial_v_[i] = v_[i] + change_[i]; });
+        move_to(trial_v_, trial_x_);
+        if (!contact_forces_.revise(trial_x_, trial_v_)) {
+            break;
+        }
+    }
+    ++report.newton_iterations;
+
+    const double slope = -dot(residual_, change_);
+    const double length = params_.newton > 1 && !is_first ? line_search(slope) : 1.0;
+    parallel_for(v_.size(), [&](std::size_t i) { v_[i] += length * change_[i]; });
+    move_to(v_, x_);
+    const double largest = std::sqrt(parallel_reduce(
+        change_.size(), 0.0, [&](std::size_t i) { return change_[i].squaredNorm(); },
+        [](double a, double b) { return std::max(a, b); }));
+    constexpr double k_small_change = 1e-9; // m/s: a further iteration would change nothing visible
+    return largest > k_small_change;
+}
+
+/// Finds change_ from the linearisation at (x_, v_) with contact as it acts now; change_ is the
+/// guess.
+bool ImplicitStep::linear_solve(const HeldVertices& held, ImplicitReport& report) {
+    Stopwatch watch;
+    find_residual();
+    parallel_for(diagonal_.size(),
+                 [&](std::size_t i) { diagonal_[i] = masses_[i] + beta_ * mass_damping_[i]; });
+    forces_.assemble(diagonal_, matrix_);
+    contact_forces_.add_blocks(beta_, forces_.assembler().row_of_vertex(), matrix_);
     to_rows(residual_, row_rhs_);
     to_rows(change_, row_change_);
     eliminate_held(held);
@@ -124,24 +172,14 @@ bool ImplicitStep::newton_iteration(const HeldVertices& held,
     report.cg_iterations += cg.iterations;
     report.residual = std::max(report.residual, cg.residual);
     report.converged = cg.converged;
-    ++report.newton_iterations;
-    if (!cg.converged) {
-        return false;
-    }
     to_vertices(row_change_, change_);
-    const double slope = -dot(residual_, change_);
-    const double length = params_.newton > 1 && !is_first ? line_search(slope) : 1.0;
-    parallel_for(v_.size(), [&](std::size_t i) { v_[i] += length * change_[i]; });
-    move_to(v_, x_);
-    const double largest = std::sqrt(parallel_reduce(
-        change_.size(), 0.0, [&](std::size_t i) { return change_[i].squaredNorm(); },
-        [](double a, double b) { return std::max(a, b); }));
-    constexpr double k_small_change = 1e-9; // m/s: a further iteration would change nothing visible
-    return largest > k_small_change;
+    return cg.converged;
 }
 
 /// residual = -(M (v - v_base) - beta f): the right-hand side of the Newton system, N s.
 void ImplicitStep::find_residual() {
+    force_ = element_force_;
+    contact_forces_.add_forces(x_, v_, force_);
     parallel_for(v_.size(), [&](std::size_t i) {
         force_[i] += masses_[i] * params_.gravity - mass_damping_[i] * v_[i];
         residual_[i] = beta_ * force_[i] - masses_[i] * (v_[i] - v_base_[i]);
@@ -188,6 +226,7 @@ double ImplicitStep::line_search(double slope_start) {
         parallel_for(v_.size(), [&](std::size_t k) { trial_v_[k] = v_[k] + length * change_[k]; });
         move_to(trial_v_, trial_x_);
         forces_.forces_only(trial_x_, trial_v_, force_);
+        contact_forces_.add_forces(trial_x_, trial_v_, force_);
         const double slope = parallel_sum(v_.size(), [&](std::size_t k) {
             const Vec3 f =
                 force_[k] + masses_[k] * params_.gravity - mass_damping_[k] * trial_v_[k];

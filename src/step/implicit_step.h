@@ -3,6 +3,7 @@
 #include "scene/params.h"
 #include "state/world.h"
 #include "step/conjugate_gradient.h"
+#include "step/contact_forces.h"
 #include "step/force_system.h"
 
 namespace weft {
@@ -42,13 +43,15 @@ public:
     /// world is not changed.
     ImplicitReport solve(const World& world,
                          const HeldVertices& held,
+                         std::span<RestingContact> resting,
                          double dt,
                          std::vector<Vec3>& end_positions,
                          std::vector<Vec3>& end_velocities);
 
 private:
-    void start(const World& world, double dt);
+    void start(const World& world, std::span<const RestingContact> resting, double dt);
     bool newton_iteration(const HeldVertices& held, bool is_first, ImplicitReport& report);
+    bool linear_solve(const HeldVertices& held, ImplicitReport& report);
     void find_residual();
     void eliminate_held(const HeldVertices& held);
     double line_search(double slope_start);
@@ -60,6 +63,7 @@ private:
     std::vector<double> masses_;
     std::vector<double> mass_damping_; ///< #V, alpha * m, kg/s
     ForceSystem forces_;
+    ContactForces contact_forces_;
     BlockMatrix matrix_;
     IncompleteCholesky preconditioner_;
     ConjugateGradient cg_;
@@ -68,7 +72,8 @@ private:
     double floor_ =
         0.0; ///< impulse of gravity over a substep, N s: less than a share of it is noise
     std::vector<Vec3> x_base_, v_base_, guess_;
-    std::vector<Vec3> x_, v_, force_, residual_, change_; ///< of the current iterate, by vertex
+    std::vector<Vec3> x_, v_, force_, element_force_, residual_,
+        change_; ///< of the current iterate, by vertex
     std::vector<Vec3> trial_x_, trial_v_;
     std::vector<Vec3> row_rhs_, row_change_;
     std::vector<double> diagonal_;
