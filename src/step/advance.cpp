@@ -111,7 +111,7 @@ bool Stepper::Impl::substep(World& world, double dt, FrameReport& report) {
         solver.find_resting(world, held.flags, dt, resting);
     }
     const ImplicitReport step =
-        implicit.solve(world, held, resting, dt, end_positions, end_velocities);
+        implicit.solve(world, held, dt, end_positions, end_velocities, resting);
     report.cg_iterations += step.cg_iterations;
     if (!step.converged || moves_too_far(world, end_positions)) {
         return false;

@@ -59,8 +59,9 @@ ImplicitStep::ImplicitStep(const World& world, const SceneParams& params)
       forces_(world, params), contact_forces_(contact_stiffness(world)),
       matrix_(forces_.assembler().pattern()) {
     const std::size_t n = world.vertex_count();
-    for (auto* values : {&x_base_, &v_base_, &guess_, &x_, &v_, &force_, &element_force_,
-                         &residual_, &change_, &trial_x_, &trial_v_, &row_rhs_, &row_change_}) {
+    for (auto* values :
+         {&x_base_, &v_base_, &guess_, &x_, &v_, &force_, &element_force_, &residual_, &change_,
+          &trial_x_, &trial_v_, &row_rhs_, &row_change_, &row_fall_, &row_product_}) {
         values->assign(n, Vec3::Zero());
     }
     diagonal_.assign(n, 0.0);
@@ -68,10 +69,10 @@ ImplicitStep::ImplicitStep(const World& world, const SceneParams& params)
 
 ImplicitReport ImplicitStep::solve(const World& world,
                                    const HeldVertices& held,
-                                   std::span<RestingContact> resting,
                                    double dt,
                                    std::vector<Vec3>& end_positions,
-                                   std::vector<Vec3>& end_velocities) {
+                                   std::vector<Vec3>& end_velocities,
+                                   std::span<RestingContact> resting) {
     ImplicitReport report;
     start(world, resting, dt);
     forces_.start_substep(world.velocities);
@@ -106,10 +107,10 @@ void ImplicitStep::start(const World& world, std::span<const RestingContact> res
         v_base_[i] = two_step ? Vec3((4.0 * v - world.previous_velocities[i]) / 3.0) : v;
         x_[i] = x;
         v_[i] = (x - x_base_[i]) / beta_; // linearised where the substep starts
-        guess_[i] = v + gravity_impulse;
+        trial_v_[i] = v + gravity_impulse;
+        guess_[i] = v - v_[i];
     });
-    contact_forces_.start(resting, world.positions, world.velocities, guess_, dt);
-    parallel_for(v_.size(), [&](std::size_t i) { guess_[i] -= v_[i]; });
+    contact_forces_.start(resting, world.positions, world.velocities, trial_v_, dt);
     floor_ = params_.gravity.norm() * dt *
              std::sqrt(parallel_sum(masses_.size(),
                                     [&](std::size_t i) { return masses_[i] * masses_[i]; }));
@@ -128,7 +129,7 @@ bool ImplicitStep::newton_iteration(const HeldVertices& held,
         change_[i] = held.flags[i] != 0 ? held_change : is_first ? guess_[i] : Vec3(Vec3::Zero());
     });
     for (int round = 0; round < k_contact_rounds; ++round) {
-        if (!linear_solve(held, report)) {
+        if (!linear_solve(held, is_first && round == 0, report)) {
             return false;
         }
         parallel_for(v_.size(), [&](std::size_t i) { trial_v_[i] = v_[i] + change_[i]; });
@@ -151,8 +152,8 @@ bool ImplicitStep::newton_iteration(const HeldVertices& held,
 }
 
 /// Finds change_ from the linearisation at (x_, v_) with contact as it acts now; change_ is the
-/// guess.
-bool ImplicitStep::linear_solve(const HeldVertices& held, ImplicitReport& report) {
+/// guess, and where `may_fall` as much of a free fall is added to it as fits best.
+bool ImplicitStep::linear_solve(const HeldVertices& held, bool may_fall, ImplicitReport& report) {
     Stopwatch watch;
     find_residual();
     parallel_for(diagonal_.size(),
@@ -165,6 +166,9 @@ bool ImplicitStep::linear_solve(const HeldVertices& held, ImplicitReport& report
     report.seconds_assembly += watch.seconds();
 
     watch.restart();
+    if (may_fall) {
+        add_best_fall(held);
+    }
     preconditioner_.factor(matrix_);
     const CgReport cg = cg_.solve(matrix_, preconditioner_, row_rhs_, row_change_,
                                   {.tolerance = params_.solver_tolerance, .floor = floor_});
@@ -174,6 +178,23 @@ bool ImplicitStep::linear_solve(const HeldVertices& held, ImplicitReport& report
     report.converged = cg.converged;
     to_vertices(row_change_, change_);
     return cg.converged;
+}
+
+/// Adds to the guess the multiple of a uniform fall that lowers the solve's energy most: all of it
+/// for cloth in the air, nothing for cloth at rest.
+void ImplicitStep::add_best_fall(const HeldVertices& held) {
+    parallel_for(v_.size(), [&](std::size_t i) {
+        trial_v_[i] = held.flags[i] != 0 ? Vec3(Vec3::Zero()) : params_.gravity;
+    });
+    to_rows(trial_v_, row_fall_);
+    multiply(matrix_, row_fall_, row_product_);
+    const double curvature = dot(row_fall_, row_product_);
+    if (curvature > 0.0) {
+        const double length =
+            (dot(row_fall_, row_rhs_) - dot(row_change_, row_product_)) / curvature;
+        parallel_for(row_change_.size(),
+                     [&](std::size_t r) { row_change_[r] += length * row_fall_[r]; });
+    }
 }
 
 /// residual = -(M (v - v_base) - beta f): the right-hand side of the Newton system, N s.

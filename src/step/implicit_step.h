@@ -43,15 +43,16 @@ public:
     /// world is not changed.
     ImplicitReport solve(const World& world,
                          const HeldVertices& held,
-                         std::span<RestingContact> resting,
                          double dt,
                          std::vector<Vec3>& end_positions,
-                         std::vector<Vec3>& end_velocities);
+                         std::vector<Vec3>& end_velocities,
+                         std::span<RestingContact> resting = {});
 
 private:
     void start(const World& world, std::span<const RestingContact> resting, double dt);
     bool newton_iteration(const HeldVertices& held, bool is_first, ImplicitReport& report);
-    bool linear_solve(const HeldVertices& held, ImplicitReport& report);
+    bool linear_solve(const HeldVertices& held, bool may_fall, ImplicitReport& report);
+    void add_best_fall(const HeldVertices& held);
     void find_residual();
     void eliminate_held(const HeldVertices& held);
     double line_search(double slope_start);
@@ -75,7 +76,7 @@ private:
     std::vector<Vec3> x_, v_, force_, element_force_, residual_,
         change_; ///< of the current iterate, by vertex
     std::vector<Vec3> trial_x_, trial_v_;
-    std::vector<Vec3> row_rhs_, row_change_;
+    std::vector<Vec3> row_rhs_, row_change_, row_fall_, row_product_;
     std::vector<double> diagonal_;
 };
 

@@ -20,7 +20,7 @@ void run(World& world, const SceneParams& params, double dt, int substeps) {
     std::vector<Vec3> positions, velocities;
     for (int i = 0; i < substeps; ++i) {
         find_held(world, world.time + dt, held);
-        ASSERT_TRUE(step.solve(world, held, {}, dt, positions, velocities).converged);
+        ASSERT_TRUE(step.solve(world, held, dt, positions, velocities).converged);
         std::swap(world.previous_positions, world.positions);
         std::swap(world.previous_velocities, world.velocities);
         world.positions = positions;
