@@ -31,6 +31,13 @@ ValidationRows run_experiments(std::string_view only,
 ValidationRows validate_patch_test();
 ValidationRows validate_uniaxial();
 ValidationRows validate_off_axis();
+ValidationRows validate_cook();
+ValidationRows validate_hanging_strip();
+ValidationRows validate_catenary();
+ValidationRows validate_mesh_independence();
+ValidationRows validate_cantilever();
+ValidationRows validate_cantilever_quadratic();
+ValidationRows validate_buckling();
 ValidationRows validate_free_fall();
 ValidationRows validate_spin();
 ValidationRows validate_energy_decay();

@@ -12,7 +12,6 @@ namespace weft {
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
-using Cholesky = Eigen::SimplicialLDLT<Sparse>;
 
 /// A full change is taken when the slope of the potential along it has fallen to this share.
 constexpr double k_slope_share = 0.5;
@@ -67,30 +66,45 @@ private:
     std::vector<Vec3> at_rest_, forces_;
 };
 
-/// Solves with the rows and columns of held components removed, their values in `given`.
-Eigen::VectorXd solve_free(Cholesky& cholesky,
-                           const Sparse& matrix,
-                           const std::vector<char>& held,
-                           const Eigen::VectorXd& rhs,
-                           const Eigen::VectorXd& given) {
-    Eigen::VectorXd known = rhs - matrix * given;
-    Sparse reduced = matrix;
-    reduced.prune([&](Eigen::Index r, Eigen::Index c, double) {
-        return r == c ||
-               (held[static_cast<std::size_t>(r)] == 0 && held[static_cast<std::size_t>(c)] == 0);
-    });
-    for (Eigen::Index i = 0; i < rhs.size(); ++i) {
-        if (held[static_cast<std::size_t>(i)] != 0) {
-            reduced.coeffRef(i, i) = 1.0;
-            known[i] = given[i];
+/// Solves systems of one pattern with the rows and columns of held components removed; finds the
+/// order of elimination once.
+class FreeSolver {
+public:
+    explicit FreeSolver(const std::vector<char>& held) : held_(held) {}
+
+    /// @param given  values of the held components
+    Eigen::VectorXd
+    solve(const Sparse& matrix, const Eigen::VectorXd& rhs, const Eigen::VectorXd& given) {
+        Eigen::VectorXd known = rhs - matrix * given;
+        Sparse reduced = matrix;
+        for (Eigen::Index c = 0; c < reduced.cols(); ++c) {
+            for (Sparse::InnerIterator entry(reduced, c); entry; ++entry) {
+                if (is_held(entry.row()) || is_held(c)) {
+                    entry.valueRef() = entry.row() == c ? 1.0 : 0.0;
+                }
+            }
+            if (is_held(c)) {
+                known[c] = given[c];
+            }
         }
+        if (!is_analysed_) {
+            cholesky_.analyzePattern(reduced);
+            is_analysed_ = true;
+        }
+        cholesky_.factorize(reduced);
+        if (cholesky_.info() != Eigen::Success) {
+            throw Error(ExitCode::Diverged, "the stiffness matrix is singular");
+        }
+        return cholesky_.solve(known);
     }
-    cholesky.compute(reduced);
-    if (cholesky.info() != Eigen::Success) {
-        throw Error(ExitCode::Diverged, "the stiffness matrix is singular");
-    }
-    return cholesky.solve(known);
-}
+
+private:
+    bool is_held(Eigen::Index i) const { return held_[static_cast<std::size_t>(i)] != 0; }
+
+    std::vector<char> held_;
+    Eigen::SimplicialLDLT<Sparse> cholesky_;
+    bool is_analysed_ = false;
+};
 
 void clear_held(const std::vector<char>& held, Eigen::VectorXd& values) {
     for (std::size_t i = 0; i < held.size(); ++i) {
@@ -149,9 +163,26 @@ Sparse stiffness_matrix(const World& world, const SceneParams& params) {
     return StaticSystem(world, params).stiffness(world.positions, nothing);
 }
 
+Eigen::MatrixXd transverse_stiffness(const World& world, const SceneParams& params, double step) {
+    StaticSystem system(world, params);
+    const auto count = static_cast<Eigen::Index>(world.vertex_count());
+    Eigen::MatrixXd result(count, count);
+    std::vector<Vec3> x = world.positions;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        double& z = x[static_cast<std::size_t>(i)].z();
+        const double start = z;
+        z = start + step;
+        const Eigen::VectorXd above = system.forces(x);
+        z = start - step;
+        const Eigen::VectorXd below = system.forces(x);
+        z = start;
+        result.col(i) = ((below - above) / (2.0 * step)).reshaped(3, count).row(2).transpose();
+    }
+    return 0.5 * (result + result.transpose());
+}
+
 Eigen::VectorXd linear_response(const Sparse& stiffness, const StaticLoad& load) {
-    Cholesky cholesky;
-    return solve_free(cholesky, stiffness, load.held, load.force, load.given);
+    return FreeSolver(load.held).solve(stiffness, load.force, load.given);
 }
 
 SettleReport
@@ -171,7 +202,7 @@ settle(World& world, const SceneParams& params, const StaticLoad& load, const Se
         return force;
     };
     const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(external.size());
-    Cholesky cholesky;
+    FreeSolver solver(load.held);
     SettleReport report;
     double mobility = how.first_mobility;
     Eigen::VectorXd residual = unbalanced(world.positions);
@@ -185,7 +216,7 @@ settle(World& world, const SceneParams& params, const StaticLoad& load, const Se
             diagonal[i] = world.masses[i] / mobility;
         }
         const Sparse matrix = system.stiffness(world.positions, diagonal);
-        const Eigen::VectorXd change = solve_free(cholesky, matrix, load.held, residual, nothing);
+        const Eigen::VectorXd change = solver.solve(matrix, residual, nothing);
         const double slope = residual.dot(change);
         double length = std::min(1.0, how.max_step / largest_move(change));
         for (int cut = 0; cut < 30; ++cut, length *= 0.5) {

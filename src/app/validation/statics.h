@@ -2,6 +2,7 @@
 
 #include "state/world.h"
 
+#include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
 namespace weft {
@@ -25,6 +26,11 @@ Eigen::VectorXd element_forces(const World& world, const SceneParams& params);
 /// K = -df/dx of all elements at the present positions as the simulation has it (positive
 /// semidefinite), N/m, 3 #V squared.
 Eigen::SparseMatrix<double> stiffness_matrix(const World& world, const SceneParams& params);
+
+/// -df_z/dz of the elements, #V squared, N/m: by differences of the forces and so with the
+/// softening of compressed elements, which the simulation's own matrix leaves out.
+/// @param step  m; its square over that of an edge must be small against the strain
+Eigen::MatrixXd transverse_stiffness(const World& world, const SceneParams& params, double step);
 
 /// Displacements u of K u = force for the free components, the held ones as given, m.
 /// Throws Error (Diverged) when K is singular.

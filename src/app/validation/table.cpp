@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace weft {
 
@@ -48,7 +49,11 @@ std::string markdown_row(const ValidationRow& row) {
 } // namespace
 
 std::string verdict(const ValidationRow& row) {
-    return is_within(row) ? "ok" : "missed by " + amount(error_of(row) - row.tolerance, row);
+    if (is_within(row)) {
+        return "ok";
+    }
+    return std::isfinite(row.measured) ? "missed by " + amount(error_of(row) - row.tolerance, row)
+                                       : "missed: no result";
 }
 
 std::string summary(std::span<const ValidationRow> rows) {
@@ -104,6 +109,9 @@ std::string terminal_text(std::span<const ValidationRow> rows) {
                             row.experiment + ": " + row.what, width, with_unit(row.theory, row),
                             with_unit(row.measured, row), amount(error_of(row), row),
                             amount(row.tolerance, row), row.seconds, verdict(row));
+        if (!is_within(row) && !row.note.empty()) {
+            text += "    " + row.note + "\n";
+        }
     }
     return text + summary(rows) + "\n";
 }
