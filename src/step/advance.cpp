@@ -92,6 +92,7 @@ struct Stepper::Impl {
 
     bool substep(World& world, double dt, FrameReport& report);
     void finish(World& world, double dt);
+    void forget_arrivals(World& world, double dt) const;
 
     SceneParams scene;
     ImplicitStep implicit;
@@ -165,7 +166,35 @@ void Stepper::Impl::finish(World& world, double dt) {
             world.previous_velocities[i] = previous_v;
         }
     });
+    if (two_step) {
+        forget_arrivals(world, dt);
+    }
     world.history_dt = two_step ? dt : 0.0;
+}
+
+/// A vertex that ran into an obstacle within the implicit solve must not keep its way there in its
+/// two-step history, which would throw it back with a third of its speed: the history is shifted
+/// by the velocity that the obstacle took away, so that the vertex seems to have had what it has
+/// now. Where a vertex only rests, nothing is shifted.
+void Stepper::Impl::forget_arrivals(World& world, double dt) const {
+    // the solve itself moved an untouched vertex by 2 dt / 3 of the velocity taken, or by all of it
+    const double untouched_shift = world.history_dt == dt ? -dt / 3.0 : 0.0;
+    for (const RestingContact& contact : resting) {
+        for (const Index vertex : contact.vertices) {
+            if (vertex == k_no_index || contact.impulse <= 0.0) {
+                continue;
+            }
+            const auto i = static_cast<std::size_t>(vertex);
+            const double parting =
+                contact.normal.dot(world.previous_velocities[i] + contact.obstacle_velocity);
+            if (held.flags[i] == 0 && parting < 0.0) {
+                const bool touched = average_velocities[i] != free_velocities[i];
+                const Vec3 taken = -parting * contact.normal;
+                world.previous_velocities[i] += taken;
+                world.previous_positions[i] += (touched ? dt : untouched_shift) * taken;
+            }
+        }
+    }
 }
 
 Stepper::Stepper(const World& world, const SceneParams& scene, const ContactParams& contact)
