@@ -7,8 +7,8 @@
 /// vertices moves on a circle, and implicit Euler with angles f, f' of two successive substeps
 /// obeys 2 sin f' = sin(f' + f), so that omega(t) = omega0 / sqrt(1 + 2 h omega0^2 t): it loses
 /// angular momentum however well it converges. BDF2 keeps it to (omega h)^4 a substep once it has
-/// started: its first substep is one of implicit Euler and takes (omega h)^2 / 2 of it, and once the
-/// substeps that remember the first are over, 1.25 (omega h)^2 are gone (measured at 0.05).
+/// started: its first substep is one of implicit Euler and takes (omega h)^2 / 2 of it, and once
+/// the substeps that remember the first are over, 1.25 (omega h)^2 are gone (measured at 0.05).
 namespace weft {
 
 namespace {
