@@ -1,3 +1,4 @@
+#include "app/validation/clamped_strip.h"
 #include "app/validation/experiments.h"
 #include "app/validation/sheet_world.h"
 #include "app/validation/statics.h"
@@ -12,8 +13,7 @@
 
 /// Loads at which a flat strip, clamped at one end and loaded in its own plane, leaves the plane:
 /// K_b z = -lambda K_g z, with the bending stiffness K_b of the sheet without load and K_g its
-/// change under the load. As in cantilever.cpp lengths count from half a cell before the clamp's
-/// line.
+/// change under the load.
 namespace weft {
 
 namespace {
@@ -30,30 +30,10 @@ struct Case {
     const char* what;
     Load load;
     double theory; ///< rho g L^3 / D, or P L^2 / (D w) of the end load
-    std::size_t pattern;
-    BendModel model;
+    Pattern pattern;
     int cells, cells_across;
     double tolerance;
 };
-
-constexpr std::array k_patterns{"one diagonal", "union jack", "irregular"};
-
-Sheet strip(const Case& c) {
-    const int nx = c.cells + 1;
-    const int ny = c.cells_across;
-    const double cell = k_length / (c.cells + 0.5);
-    Sheet sheet = c.pattern == 0   ? one_diagonal_sheet(nx, ny, nx, ny)
-                  : c.pattern == 1 ? union_jack_sheet(nx, ny, nx, ny)
-                                   : irregular_sheet(nx, ny, nx, ny, 0.25, 3);
-    for (std::size_t i = 0; i < sheet.points.size(); ++i) {
-        Vec2& p = sheet.points[i];
-        if (i % static_cast<std::size_t>(nx + 1) == 1) {
-            p = Vec2(1.0, std::round(p.y())); // the clamp's line is straight
-        }
-        p = cell * Vec2(p.x() - 1.0, p.y());
-    }
-    return sheet;
-}
 
 /// The rows and columns of vertices that are free.
 Eigen::MatrixXd free_part(const Eigen::MatrixXd& matrix, const Sheet& sheet) {
@@ -64,33 +44,30 @@ Eigen::MatrixXd free_part(const Eigen::MatrixXd& matrix, const Sheet& sheet) {
 
 /// Critical load in the measure of Case::theory.
 double critical_load(const Case& c) {
-    const Sheet sheet = strip(c);
-    const double cell = k_length / (c.cells + 0.5);
-    const double width = cell * c.cells_across;
+    const double width = k_length / (c.cells + 0.5) * c.cells_across; // square cells
+    const ClampedStrip strip(c.pattern, c.cells, c.cells_across, k_length, width);
+    const Sheet& sheet = strip.sheet;
     const double unit = k_rigidity / (k_length * k_length); // N/m: of the end load
     ClothParams cloth;
-    cloth.bend_model = c.model;
     cloth.fabric = isotropic_fabric(k_membrane_ratio * unit, 0.0);
     cloth.fabric.bend_stiffness = k_rigidity;
     cloth.fabric.area_density = c.theory * unit / (k_length * k_gravity);
     World world = sheet_world(sheet, cloth);
-    const double step = k_difference_step * cell;
+    const double step = k_difference_step * strip.cell;
     const Eigen::MatrixXd bending =
         free_part(transverse_stiffness(world, empty_space(), step), sheet);
 
     SceneParams scene = empty_space();
     StaticLoad load(world.vertex_count());
     load.hold_all(2);
-    for (const Index v : vertices_where(sheet, [](const Vec2& p) { return p.x() < 1e-9; })) {
+    for (const Index v : strip.clamp()) {
         load.hold(v);
     }
     if (c.load == Load::EndLoad) {
-        const auto end = vertices_where(
-            sheet, [&](const Vec2& p) { return p.x() > k_length - 0.5 * cell - 1e-9; });
-        for (const Index v : end) {
+        for (const Index v : strip.free_end()) {
             const double y = sheet.points[static_cast<std::size_t>(v)].y();
             const bool is_corner = y < 1e-9 || y > width - 1e-9;
-            load.add(v, Vec3(-(is_corner ? 0.5 : 1.0) * c.theory * unit * cell, 0.0, 0.0));
+            load.add(v, Vec3(-(is_corner ? 0.5 : 1.0) * c.theory * unit * strip.cell, 0.0, 0.0));
         }
     } else {
         scene.gravity[c.load == Load::OwnWeightAlong ? 0 : 1] = -k_gravity;
@@ -108,15 +85,15 @@ double critical_load(const Case& c) {
 ValidationRows validate_buckling() {
     constexpr double k_lateral = 18.18; // 12.854 sqrt(2), nu = 0
     std::vector<Case> cases;
-    for (std::size_t pattern = 0; pattern < k_patterns.size(); ++pattern) {
+    for (const Pattern pattern : k_patterns) {
         cases.push_back({"strip standing under its own weight: rho g L^3/D", Load::OwnWeightAlong,
-                         7.8373, pattern, BendModel::MidEdge, 40, 4, 0.02});
+                         7.8373, pattern, 40, 4, 0.02});
     }
-    cases.push_back({"strip under an end load: P L^2/(D w)", Load::EndLoad, 2.4674, 0,
-                     BendModel::MidEdge, 40, 4, 0.02});
-    for (std::size_t pattern = 0; pattern < k_patterns.size(); ++pattern) {
-        cases.push_back({"lateral: rho g L^3/D", Load::OwnWeightAcross, k_lateral, pattern,
-                         BendModel::MidEdge, 60, 6, 0.1});
+    cases.push_back({"strip under an end load: P L^2/(D w)", Load::EndLoad, 2.4674,
+                     Pattern::OneDiagonal, 40, 4, 0.02});
+    for (const Pattern pattern : k_patterns) {
+        cases.push_back(
+            {"lateral: rho g L^3/D", Load::OwnWeightAcross, k_lateral, pattern, 120, 6, 0.1});
     }
     ValidationRows rows(cases.size());
     parallel_for(
@@ -124,7 +101,7 @@ ValidationRows validate_buckling() {
         [&](std::size_t i) {
             const Case& c = cases[i];
             const Stopwatch watch;
-            rows[i] = {.what = fmt::format("{}: {}", c.what, k_patterns[c.pattern]),
+            rows[i] = {.what = fmt::format("{}: {}", c.what, name_of(c.pattern)),
                        .theory = c.theory,
                        .measured = critical_load(c),
                        .tolerance = c.tolerance,

@@ -1,3 +1,4 @@
+#include "app/validation/clamped_strip.h"
 #include "app/validation/experiments.h"
 #include "app/validation/sheet_world.h"
 #include "app/validation/statics.h"
@@ -11,10 +12,6 @@
 
 /// The heavy elastica: a strip clamped horizontally at one end that bends under its own weight.
 /// Gamma = rho g L^3 / D says how heavy it is for its rigidity; H/W is drop over reach of the tip.
-///
-/// The first column of cells is the clamp. The edges on its line carry half of the next cell's
-/// bending and half of the clamp's, so that the strip begins half a cell before them: lengths count
-/// from there.
 namespace weft {
 
 namespace {
@@ -27,12 +24,10 @@ constexpr double k_density = 0.15; // kg/m^2
 /// move in small steps only.
 constexpr std::array k_membrane_ratios{1e4, 1e6, 1e8};
 
-constexpr std::array k_patterns{"one diagonal", "union jack", "irregular"};
-
 struct Case {
     double gamma;
     int cells; ///< along the strip
-    std::size_t pattern;
+    Pattern pattern;
     BendModel model;
     double width;     ///< m
     double tolerance; ///< relative
@@ -52,28 +47,9 @@ double drop_over_reach(double gamma) {
     return 0.0;
 }
 
-/// The strip with its clamp: x < 0 in the clamp's cells, 0 on its line.
-Sheet strip(const Case& c) {
-    const double cell = k_length / (c.cells + 0.5);
-    const int nx = c.cells + 1;
-    const int ny = std::max(1, static_cast<int>(std::lround(c.width / cell)));
-    const double jitter = 0.25;
-    Sheet sheet = c.pattern == 0   ? one_diagonal_sheet(nx, ny, nx, ny)
-                  : c.pattern == 1 ? union_jack_sheet(nx, ny, nx, ny)
-                                   : irregular_sheet(nx, ny, nx, ny, jitter, 3);
-    for (std::size_t i = 0; i < sheet.points.size(); ++i) {
-        Vec2& p = sheet.points[i];
-        if (i % static_cast<std::size_t>(nx + 1) == 1) {
-            p = Vec2(1.0, std::round(p.y())); // the clamp's line is straight
-        }
-        p = Vec2((p.x() - 1.0) * cell, p.y() * c.width / ny);
-    }
-    return sheet;
-}
-
 double measured_drop_over_reach(const Case& c) {
-    const Sheet sheet = strip(c);
-    const double cell = k_length / (c.cells + 0.5);
+    const ClampedStrip strip(c.pattern, c.cells, square_cells_across(c.cells, k_length, c.width),
+                             k_length, c.width);
     const double rigidity = k_density * k_gravity * std::pow(k_length, 3) / c.gamma;
     ClothParams cloth;
     cloth.bend_model = c.model;
@@ -85,9 +61,9 @@ double measured_drop_over_reach(const Case& c) {
         cloth.fabric.bend_stiffness = rigidity;
         cloth.fabric.area_density = k_density;
         World world =
-            sheet_world(sheet, cloth, [](const Vec2& p) { return Vec3(p.x(), 0, -p.y()); });
+            sheet_world(strip.sheet, cloth, [](const Vec2& p) { return Vec3(p.x(), 0, -p.y()); });
         StaticLoad load(world.vertex_count());
-        for (const Index v : vertices_where(sheet, [](const Vec2& p) { return p.x() < 1e-9; })) {
+        for (const Index v : strip.clamp()) {
             load.hold(v);
         }
         if (!positions.empty()) {
@@ -97,10 +73,9 @@ double measured_drop_over_reach(const Case& c) {
         positions = world.positions;
     }
     Vec2 tip = Vec2::Zero(); // sums cancel in the quotient
-    const double end = k_length - 0.5 * cell - 1e-9;
-    for (const Index v : vertices_where(sheet, [=](const Vec2& p) { return p.x() > end; })) {
+    for (const Index v : strip.free_end()) {
         const Vec3& x = positions[static_cast<std::size_t>(v)];
-        tip += Vec2(x.x() + 0.5 * cell, -x.y());
+        tip += Vec2(x.x() + 0.5 * strip.cell, -x.y());
     }
     return tip.y() / tip.x();
 }
@@ -113,7 +88,7 @@ ValidationRows measure(const std::vector<Case>& cases) {
             const Case& c = cases[i];
             const Stopwatch watch;
             rows[i] = {.what = fmt::format("H/W at Gamma = {:g}: {}: n = {}", c.gamma,
-                                           k_patterns[c.pattern], c.cells),
+                                           name_of(c.pattern), c.cells),
                        .theory = drop_over_reach(c.gamma),
                        .measured = measured_drop_over_reach(c),
                        .tolerance = c.tolerance,
@@ -130,7 +105,7 @@ ValidationRows measure(const std::vector<Case>& cases) {
 
 ValidationRows validate_cantilever() {
     std::vector<Case> cases;
-    for (std::size_t pattern = 0; pattern < k_patterns.size(); ++pattern) {
+    for (const Pattern pattern : k_patterns) {
         for (const double gamma : {0.1, 1.0, 10.0, 100.0}) {
             for (const int cells : {20, 40}) {
                 cases.push_back({gamma, cells, pattern, BendModel::MidEdge, 0.1 * k_length, 0.02});
@@ -146,8 +121,8 @@ ValidationRows validate_cantilever() {
 /// pattern; a wide strip hides the first.
 ValidationRows validate_cantilever_quadratic() {
     std::vector<Case> cases;
-    for (std::size_t pattern = 0; pattern < k_patterns.size(); ++pattern) {
-        const double tolerance = pattern == 0 ? 0.15 : 0.05;
+    for (const Pattern pattern : k_patterns) {
+        const double tolerance = pattern == Pattern::OneDiagonal ? 0.15 : 0.05;
         for (const auto& [gamma, cells] :
              {std::pair{0.1, 20}, {1.0, 20}, {10.0, 20}, {10.0, 40}, {100.0, 20}, {1000.0, 40}}) {
             cases.push_back(

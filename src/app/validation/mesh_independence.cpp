@@ -17,7 +17,6 @@ namespace weft {
 
 namespace {
 
-constexpr std::size_t k_patterns = 3; // one diagonal, union jack, irregular
 constexpr int k_coarse = 8;
 constexpr int k_fine = 32;
 
@@ -48,12 +47,6 @@ Eigen::SparseMatrix<double> spring_net(const Sheet& sheet) {
     return matrix;
 }
 
-Sheet square(std::size_t pattern, int n) {
-    return pattern == 0   ? one_diagonal_sheet(n, n, 1.0, 1.0)
-           : pattern == 1 ? union_jack_sheet(n, n, 1.0, 1.0)
-                          : irregular_sheet(n, n, 1.0, 1.0, 0.3, 3);
-}
-
 Eigen::SparseMatrix<double> triangles(const Sheet& sheet) {
     ClothParams cloth;
     cloth.fabric = isotropic_fabric(1.0, 0.3);
@@ -81,20 +74,22 @@ double drop(const Sheet& sheet, int n, const Eigen::SparseMatrix<double>& stiffn
 }
 
 /// Greatest minus least over the patterns, in shares of their mean.
-double spread(const std::array<double, k_patterns>& values) {
+double spread(const std::array<double, k_patterns.size()>& values) {
     const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-    return (*greatest - *least) * k_patterns / std::accumulate(values.begin(), values.end(), 0.0);
+    return (*greatest - *least) * static_cast<double>(values.size()) /
+           std::accumulate(values.begin(), values.end(), 0.0);
 }
 
 /// What both models say of the square on each pattern at one size.
 struct Findings {
-    std::array<double, k_patterns> spring_modulus, triangle_modulus, spring_drop, triangle_drop;
+    std::array<double, k_patterns.size()> spring_modulus, triangle_modulus, spring_drop,
+        triangle_drop;
 };
 
 Findings find(int n) {
     Findings found{};
-    for (std::size_t pattern = 0; pattern < k_patterns; ++pattern) {
-        const Sheet sheet = square(pattern, n);
+    for (std::size_t pattern = 0; pattern < k_patterns.size(); ++pattern) {
+        const Sheet sheet = make_sheet(k_patterns[pattern], n, n, 1.0, 1.0);
         const auto springs = spring_net(sheet);
         const auto elements = triangles(sheet);
         found.spring_modulus[pattern] = tensile_test(sheet, springs).modulus;

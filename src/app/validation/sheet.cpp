@@ -95,4 +95,19 @@ Sheet irregular_sheet(int nx, int ny, double width, double height, double jitter
     return sheet;
 }
 
+const char* name_of(Pattern pattern) {
+    return pattern == Pattern::OneDiagonal ? "one diagonal"
+           : pattern == Pattern::UnionJack ? "union jack"
+                                           : "irregular";
+}
+
+Sheet make_sheet(Pattern pattern, int nx, int ny, double width, double height) {
+    constexpr double k_jitter = 0.25;
+    constexpr unsigned k_seed = 3;
+    return pattern == Pattern::OneDiagonal ? one_diagonal_sheet(nx, ny, width, height)
+           : pattern == Pattern::UnionJack
+               ? union_jack_sheet(nx, ny, width, height)
+               : irregular_sheet(nx, ny, width, height, k_jitter, k_seed);
+}
+
 } // namespace weft

@@ -2,6 +2,7 @@
 
 #include "geometry/triangle_mesh.h"
 
+#include <array>
 #include <vector>
 
 /// Flat sheets with the triangle patterns on which the mechanics is judged.
@@ -23,5 +24,14 @@ Sheet equilateral_sheet(int nx, int ny, double side);
 
 /// One-diagonal grid with inner points moved at random by up to `jitter` cells, then made Delaunay.
 Sheet irregular_sheet(int nx, int ny, double width, double height, double jitter, unsigned seed);
+
+/// The three patterns on which experiments are repeated.
+enum class Pattern { OneDiagonal, UnionJack, Irregular };
+inline constexpr std::array k_patterns{Pattern::OneDiagonal, Pattern::UnionJack,
+                                       Pattern::Irregular};
+const char* name_of(Pattern pattern);
+
+/// A rectangle in one of them; irregular: inner points moved by up to a quarter of a cell.
+Sheet make_sheet(Pattern pattern, int nx, int ny, double width, double height);
 
 } // namespace weft

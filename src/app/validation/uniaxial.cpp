@@ -47,14 +47,12 @@ Elasticity tensile_test(const Sheet& sheet, const Eigen::SparseMatrix<double>& s
 ValidationRows validate_uniaxial() {
     constexpr double k_modulus = 1000.0;
     constexpr double k_poisson = 0.3;
-    const std::pair<const char*, Sheet> meshes[] = {
-        {"one diagonal", one_diagonal_sheet(8, 8, 1.0, 1.0)},
-        {"union jack", union_jack_sheet(8, 8, 1.0, 1.0)},
-        {"irregular", irregular_sheet(8, 8, 1.0, 1.0, 0.3, 3)}};
     ClothParams cloth;
     cloth.fabric = isotropic_fabric(k_modulus, k_poisson);
     ValidationRows rows;
-    for (const auto& [name, sheet] : meshes) {
+    for (const Pattern pattern : k_patterns) {
+        const Sheet sheet = make_sheet(pattern, 8, 8, 1.0, 1.0);
+        const char* name = name_of(pattern);
         const World world = sheet_world(sheet, cloth);
         const Elasticity found = tensile_test(sheet, stiffness_matrix(world, empty_space()));
         rows.push_back({.what = fmt::format("Young's modulus: {}", name),
