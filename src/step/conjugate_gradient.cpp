@@ -15,7 +15,7 @@ double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
 } // namespace
 
 CgReport ConjugateGradient::solve(const BlockMatrix& matrix,
-                                  const IncompleteCholesky& preconditioner,
+                                  IncompleteCholesky& preconditioner,
                                   std::span<const Vec3> b,
                                   std::span<Vec3> x,
                                   const CgParams& params) {

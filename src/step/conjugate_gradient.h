@@ -24,7 +24,7 @@ class ConjugateGradient {
 public:
     /// Solves A x = b from the given x. Not finite or indefinite systems return converged = false.
     CgReport solve(const BlockMatrix& matrix,
-                   const IncompleteCholesky& preconditioner,
+                   IncompleteCholesky& preconditioner,
                    std::span<const Vec3> b,
                    std::span<Vec3> x,
                    const CgParams& params);

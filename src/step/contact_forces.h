@@ -28,6 +28,8 @@ public:
                std::span<const Vec3> free_velocities,
                double dt);
 
+    bool acts() const { return !active_.empty(); }
+
     /// Adds forces at positions x and velocities v (#V of the world), N.
     void add_forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> forces) const;
 

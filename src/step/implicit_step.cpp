@@ -15,9 +15,8 @@ namespace {
 constexpr double k_slope_share = 0.5;
 constexpr int k_most_halvings = 10;
 
-/// A substep solves at most this often to make contact agree with its solution. Most need one or
-/// two; what is left is for the contact stage.
-constexpr int k_contact_rounds = 2;
+/// How much rougher the solve is that only shows which contacts hold.
+constexpr double k_rough = 10.0;
 
 bool all_finite(std::span<const Vec3> values) {
     return parallel_reduce(
@@ -128,15 +127,23 @@ bool ImplicitStep::newton_iteration(const HeldVertices& held,
         const Vec3 held_change = (held.targets[i] - x_base_[i]) / beta_ - v_[i];
         change_[i] = held.flags[i] != 0 ? held_change : is_first ? guess_[i] : Vec3(Vec3::Zero());
     });
-    for (int round = 0; round < k_contact_rounds; ++round) {
-        if (!linear_solve(held, is_first && round == 0, report)) {
+    build_system(held, report);
+    if (is_first) {
+        add_best_fall(held);
+    }
+    if (contact_forces_.acts()) {
+        // A rough solution shows which contacts hold; the solve proper starts from it.
+        if (!linear_solve(k_rough * params_.solver_tolerance, report)) {
             return false;
         }
         parallel_for(v_.size(), [&](std::size_t i) { trial_v_[i] = v_[i] + change_[i]; });
         move_to(trial_v_, trial_x_);
-        if (!contact_forces_.revise(trial_x_, trial_v_)) {
-            break;
+        if (contact_forces_.revise(trial_x_, trial_v_)) {
+            build_system(held, report);
         }
+    }
+    if (!linear_solve(params_.solver_tolerance, report)) {
+        return false;
     }
     ++report.newton_iterations;
 
@@ -151,9 +158,9 @@ bool ImplicitStep::newton_iteration(const HeldVertices& held,
     return largest > k_small_change;
 }
 
-/// Finds change_ from the linearisation at (x_, v_) with contact as it acts now; change_ is the
-/// guess, and where `may_fall` as much of a free fall is added to it as fits best.
-bool ImplicitStep::linear_solve(const HeldVertices& held, bool may_fall, ImplicitReport& report) {
+/// Matrix, right-hand side and preconditioner of the linearisation at (x_, v_) with contact as it
+/// acts now; change_ becomes the guess.
+void ImplicitStep::build_system(const HeldVertices& held, ImplicitReport& report) {
     Stopwatch watch;
     find_residual();
     parallel_for(diagonal_.size(),
@@ -166,15 +173,18 @@ bool ImplicitStep::linear_solve(const HeldVertices& held, bool may_fall, Implici
     report.seconds_assembly += watch.seconds();
 
     watch.restart();
-    if (may_fall) {
-        add_best_fall(held);
-    }
     preconditioner_.factor(matrix_);
+    report.seconds_solve += watch.seconds();
+}
+
+/// Finds change_ from the system, starting from the guess.
+bool ImplicitStep::linear_solve(double tolerance, ImplicitReport& report) {
+    const Stopwatch watch;
     const CgReport cg = cg_.solve(matrix_, preconditioner_, row_rhs_, row_change_,
-                                  {.tolerance = params_.solver_tolerance, .floor = floor_});
+                                  {.tolerance = tolerance, .floor = floor_});
     report.seconds_solve += watch.seconds();
     report.cg_iterations += cg.iterations;
-    report.residual = std::max(report.residual, cg.residual);
+    report.residual = cg.residual;
     report.converged = cg.converged;
     to_vertices(row_change_, change_);
     return cg.converged;

@@ -18,7 +18,7 @@ struct HeldVertices {
 struct ImplicitReport {
     int cg_iterations = 0;
     int newton_iterations = 0;
-    double residual = 0.0;  ///< greatest of the linear solves
+    double residual = 0.0;  ///< relative, of the last linear solve
     bool converged = false; ///< false also when something is not finite
     double seconds_forces = 0.0, seconds_assembly = 0.0, seconds_solve = 0.0;
 };
@@ -51,7 +51,8 @@ public:
 private:
     void start(const World& world, std::span<const RestingContact> resting, double dt);
     bool newton_iteration(const HeldVertices& held, bool is_first, ImplicitReport& report);
-    bool linear_solve(const HeldVertices& held, bool may_fall, ImplicitReport& report);
+    void build_system(const HeldVertices& held, ImplicitReport& report);
+    bool linear_solve(double tolerance, ImplicitReport& report);
     void add_best_fall(const HeldVertices& held);
     void find_residual();
     void eliminate_held(const HeldVertices& held);

@@ -73,6 +73,7 @@ void IncompleteCholesky::build_structure(const BlockMatrix& matrix) {
     }
     lower_.resize(column_.size());
     inverse_diagonal_.resize(rows);
+    work_.resize(rows);
 }
 
 void IncompleteCholesky::factor(const BlockMatrix& matrix) {
@@ -133,29 +134,30 @@ bool IncompleteCholesky::factor_row(const BlockMatrix& matrix, Index row, float 
 
 void IncompleteCholesky::solve_domain(const Domain& domain,
                                       std::span<const Vec3> r,
-                                      std::span<Vec3> z) const {
-    // Works in place on z: forward L y = r by rows, then backward L^T z = y by columns of L^T.
+                                      std::span<Vec3> z) {
+    // Forward L y = r by rows, then backward L^T z = y by columns of L^T.
+    Vec3f* const work = work_.data();
     for (Index row = domain.begin; row < domain.end; ++row) {
         const auto i = static_cast<std::size_t>(row);
         Vec3f sum = r[i].cast<float>();
         for (Index p = row_begin_[i]; p < row_begin_[i + 1]; ++p) {
-            const auto k = static_cast<std::size_t>(column_[static_cast<std::size_t>(p)]);
-            sum.noalias() -= lower_[static_cast<std::size_t>(p)] * z[k].cast<float>();
+            sum.noalias() -=
+                lower_[static_cast<std::size_t>(p)] * work[column_[static_cast<std::size_t>(p)]];
         }
-        z[i] = (inverse_diagonal_[i] * sum).cast<double>();
+        work[i].noalias() = inverse_diagonal_[i] * sum;
     }
     for (Index row = domain.end; row-- > domain.begin;) {
         const auto i = static_cast<std::size_t>(row);
-        const Vec3f x = inverse_diagonal_[i].transpose() * z[i].cast<float>();
-        z[i] = x.cast<double>();
+        const Vec3f x = inverse_diagonal_[i].transpose() * work[i];
         for (Index p = row_begin_[i]; p < row_begin_[i + 1]; ++p) {
-            const auto k = static_cast<std::size_t>(column_[static_cast<std::size_t>(p)]);
-            z[k] -= (lower_[static_cast<std::size_t>(p)].transpose() * x).cast<double>();
+            work[column_[static_cast<std::size_t>(p)]].noalias() -=
+                lower_[static_cast<std::size_t>(p)].transpose() * x;
         }
+        z[i] = x.cast<double>();
     }
 }
 
-void IncompleteCholesky::apply(std::span<const Vec3> r, std::span<Vec3> z) const {
+void IncompleteCholesky::apply(std::span<const Vec3> r, std::span<Vec3> z) {
     parallel_for(
         domains_.size(), [&](std::size_t d) { solve_domain(domains_[d], r, z); }, 1);
 }

@@ -16,7 +16,7 @@ public:
     void factor(const BlockMatrix& matrix);
 
     /// z = (L L^T)^-1 r.
-    void apply(std::span<const Vec3> r, std::span<Vec3> z) const;
+    void apply(std::span<const Vec3> r, std::span<Vec3> z);
 
     double shift() const { return shift_; } ///< of the diagonal in the last factor, relative
 
@@ -29,7 +29,7 @@ private:
     void build_structure(const BlockMatrix& matrix);
     bool factor_domain(const BlockMatrix& matrix, const Domain& domain, float shift);
     bool factor_row(const BlockMatrix& matrix, Index row, float shift);
-    void solve_domain(const Domain& domain, std::span<const Vec3> r, std::span<Vec3> z) const;
+    void solve_domain(const Domain& domain, std::span<const Vec3> r, std::span<Vec3> z);
 
     std::vector<Domain> domains_;
     std::vector<Index> row_begin_; ///< of the strictly lower blocks inside a domain
@@ -37,6 +37,7 @@ private:
     std::vector<Index> source_; ///< place of each in matrix.blocks
     std::vector<Block> lower_;
     std::vector<Block> inverse_diagonal_; ///< inverse of the lower triangular L_ii
+    std::vector<Vec3f> work_;             ///< #rows
     double shift_ = 0.0;
 };
 
