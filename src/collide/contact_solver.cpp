@@ -281,6 +281,7 @@ ContactSolver::ContactSolver(const World& world, const ContactParams& params)
     const std::vector<char> held(world.vertex_count(), 0);
     place_surface(impl_->surface, world, still, held, 1.0);
     impl_->broad_phase.find(impl_->surface, 0.0, impl_->candidates);
+    impl_->resting_search.build_trees(impl_->surface);
 }
 ContactSolver::~ContactSolver() = default;
 ContactSolver::ContactSolver(ContactSolver&&) noexcept = default;

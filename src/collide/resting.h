@@ -10,6 +10,11 @@ class RestingSearch {
 public:
     explicit RestingSearch(const ContactSurface& surface) : broad_phase_(surface, false) {}
 
+    /// Makes the trees from where the surface stands; they only change their boxes later.
+    void build_trees(const ContactSurface& surface) {
+        broad_phase_.find(surface, 0.0, candidates_);
+    }
+
     /// Places the surface (deformables without motion) and lists the contacts, in the order of the
     /// candidates.
     void find(ContactSurface& surface,
