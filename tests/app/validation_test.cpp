@@ -86,7 +86,7 @@ TEST(ValidationTable, MarkdownHasASectionAnExperimentAndNamesWhatMisses) {
     const std::string text = markdown_text(std::array{k_good, k_bad});
 
     EXPECT_NE(text.find("1 of 2 rows are within their tolerance"), std::string::npos);
-    EXPECT_NE(text.find("- fall: drift: missed by 0.38 m"), std::string::npos);
+    EXPECT_NE(text.find("\n\n- fall: drift: missed by 0.38 m\n\n##"), std::string::npos);
     EXPECT_NE(text.find("## strip\n"), std::string::npos);
     EXPECT_NE(text.find("## fall\n"), std::string::npos);
     EXPECT_NE(text.find("a\\|b"), std::string::npos);

@@ -79,11 +79,13 @@ std::string csv_text(std::span<const ValidationRow> rows) {
 
 std::string markdown_text(std::span<const ValidationRow> rows) {
     std::string text = "# Validation: theory against measured\n\n" + summary(rows) + ".\n";
+    std::string missed;
     for (const ValidationRow& row : rows) {
         if (!is_within(row)) {
-            text += fmt::format("\n- {}: {}: {}", row.experiment, row.what, verdict(row));
+            missed += fmt::format("- {}: {}: {}\n", row.experiment, row.what, verdict(row));
         }
     }
+    text += missed.empty() ? "" : "\n" + missed;
     std::string experiment;
     for (const ValidationRow& row : rows) {
         if (row.experiment != experiment) {
