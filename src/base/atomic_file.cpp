@@ -65,6 +65,10 @@ void write_atomically(const std::filesystem::path& path, std::span<const unsigne
 }
 
 std::string read_file(const std::filesystem::path& path) {
+    std::error_code ignored; // what cannot be asked cannot be opened either
+    if (std::filesystem::is_directory(path, ignored)) {
+        fail_disk("{}: cannot read: is a folder", path.string());
+    }
     std::ifstream file(path, std::ios::binary);
     if (!file) {
         fail_disk("{}: cannot read: {}", path.string(), std::strerror(errno));

@@ -1,6 +1,9 @@
 #include "scene/text_scan.h"
 
 #include <charconv>
+#include <cstdlib>
+#include <string>
+#include <type_traits>
 
 namespace weft {
 
@@ -12,12 +15,15 @@ template <typename Number> std::optional<Number> parse_whole(std::string_view wo
     }
     Number value{};
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    const bool out_of_range = error == std::errc::result_out_of_range;
-    if (word.empty() || end != word.data() + word.size() ||
-        (error != std::errc{} && !out_of_range)) {
+    if (word.empty() || end != word.data() + word.size()) {
         return std::nullopt;
     }
-    return value;
+    if constexpr (std::is_floating_point_v<Number>) {
+        if (error == std::errc::result_out_of_range) {
+            return std::strtod(std::string(word).c_str(), nullptr); // from_chars leaves 0
+        }
+    }
+    return error == std::errc{} ? std::optional(value) : std::nullopt;
 }
 
 bool is_space(char c) {

@@ -26,7 +26,8 @@ private:
 /// The words of a line, split at spaces and tabs, up to a '#'.
 void split_words(std::string_view line, std::vector<std::string_view>& words);
 
-/// A whole word as a number ("1", "-2.5e3", "+.5", "nan", "inf"); none when it is not one.
+/// A whole word as a number ("1", "-2.5e3", "+.5", "nan", "inf"); none when it is not one. A
+/// number too large for a double is infinite, an integer too large is none.
 std::optional<double> to_number(std::string_view word);
 std::optional<long long> to_integer(std::string_view word);
 
