@@ -9,6 +9,10 @@ endif()
 
 add_library(weft_compiler INTERFACE)
 target_compile_options(weft_compiler INTERFACE -Wall -Wextra -Wconversion -Wno-missing-field-initializers -Werror -ffp-contract=off)
+# g++ 12 sees overlaps and overruns inside std::string that are not there (GCC bugs 105651, 105329),
+# depending on what it inlines: warnings that come and go with a header must not stop a build.
+target_compile_options(weft_compiler INTERFACE -Wno-error=restrict -Wno-error=array-bounds
+    -Wno-error=stringop-overflow -Wno-error=stringop-overread -Wno-error=maybe-uninitialized)
 target_compile_definitions(weft_compiler INTERFACE EIGEN_MPL2_ONLY)
 
 # AVX2 where the machine that builds has it: the 3x3 block products are a third faster.

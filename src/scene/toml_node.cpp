@@ -50,7 +50,8 @@ std::string text_of(const toml::node& node) {
     std::replace(text.begin(), text.end(), '\n', ' ');
     constexpr std::size_t k_longest = 60;
     if (text.size() > k_longest) {
-        text = text.substr(0, k_longest) + "...";
+        text.resize(k_longest);
+        text += "...";
     }
     return text;
 }
