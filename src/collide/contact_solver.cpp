@@ -159,8 +159,8 @@ bool ContactSolver::Impl::pass_of_impulses(int pass, double dt, ContactReport& r
     }
     for (int i = 0; i < (zones ? k_zone_sweeps : 1) && !impacts.empty(); ++i) {
         // The proximities again: an impulse must not press a third pair together.
-        const double change = std::max(sweep(proximities, surface, look),
-                                       sweep(impact_rows, surface, look));
+        const double change =
+            std::max(sweep(proximities, surface, look), sweep(impact_rows, surface, look));
         if (change < k_settled_speed) {
             break;
         }
