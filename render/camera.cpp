@@ -12,21 +12,13 @@ namespace {
 
 constexpr double k_azimuth = 24.0 * std::numbers::pi / 180.0;   // to the right of +z
 constexpr double k_elevation = 13.0 * std::numbers::pi / 180.0; // above the horizon
-constexpr double k_filled = 0.86;     // share of the half height that the box may take
+constexpr double k_filled = 0.88;     // share of the half height that the subject may take
 constexpr double k_left = 0.88;       // share of the half width to the left ...
 constexpr double k_right = 0.70;      // and to the right, where the legend stands
 constexpr double k_least_size = 1e-3; // m; a smaller box is seen as one of a metre
 
 double half_angle(double fov_deg) {
     return 0.5 * fov_deg * std::numbers::pi / 180.0;
-}
-
-std::array<Vec3, 8> corners(const Box3& box) {
-    std::array<Vec3, 8> result;
-    for (int i = 0; i < 8; ++i) {
-        result[static_cast<std::size_t>(i)] = box.corner(static_cast<Box3::CornerType>(i));
-    }
-    return result;
 }
 
 struct Axes {
@@ -45,22 +37,28 @@ Axes axes_towards(const Vec3& back_direction) {
     return axes;
 }
 
-/// How far away, and how far beside the middle of a box, an eye must be that looks along -back and
-/// shall see the whole box within two planes, at these tangents below and above the line of sight.
+/// How far away, and how far beside a middle, an eye must be that looks along -back and
+/// shall see all points within two planes, at these tangents below and above the line of sight.
 class View {
 public:
-    View(const Box3& box, const Vec3& axis, const Vec3& back, double tan_low, double tan_high)
+    View(const std::vector<Vec3>& points,
+         const Vec3& middle,
+         const Vec3& axis,
+         const Vec3& back,
+         double tan_low,
+         double tan_high)
         : tan_low_(tan_low), tan_high_(tan_high) {
-        for (const Vec3& corner : corners(box)) {
-            const double x = axis.dot(corner - box.center());
-            const double z = back.dot(corner - box.center());
+        for (const Vec3& point : points) {
+            const double x = axis.dot(point - middle);
+            const double z = back.dot(point - middle);
             high_ = std::max(high_, x + z * tan_high); // x - shift <= (distance - z) tan_high
             low_ = std::min(low_, x - z * tan_low);    // shift - x <= (distance - z) tan_low
         }
     }
 
     double least_distance() const { return (high_ - low_) / (tan_low_ + tan_high_); }
-    /// So that the box stands in the middle of the picture, or as near to that as the planes allow.
+    /// So that the points stand in the middle of the picture, or as near to that as the planes
+    /// allow.
     double shift(double distance) const {
         return std::max(high_ - distance * tan_high_,
                         std::min(0.5 * (low_ + high_), low_ + distance * tan_low_));
@@ -84,49 +82,66 @@ Box3 object_bounds(const FrameObject& object) {
     return box;
 }
 
-Box3 subject_bounds(const Frame& frame) {
+std::vector<bool> subject_objects(const Frame& frame) {
+    std::vector<bool> counts(frame.objects.size(), false);
     Box3 subject;
-    std::vector<Box3> obstacles;
-    for (const FrameObject& object : frame.objects) {
-        const Box3 box = object_bounds(object);
+    std::vector<std::pair<Box3, std::size_t>> obstacles;
+    for (std::size_t i = 0; i < frame.objects.size(); ++i) {
+        const Box3 box = object_bounds(frame.objects[i]);
         if (box.isEmpty()) {
             continue;
         }
-        if (object.kind == ObjectKind::Cloth) {
+        if (frame.objects[i].kind == ObjectKind::Cloth) {
+            counts[i] = true;
             subject.extend(box);
         } else {
-            obstacles.push_back(box);
+            obstacles.emplace_back(box, i);
         }
     }
-    std::stable_sort(obstacles.begin(), obstacles.end(), [](const Box3& a, const Box3& b) {
-        return a.diagonal().squaredNorm() < b.diagonal().squaredNorm();
+    std::stable_sort(obstacles.begin(), obstacles.end(), [](const auto& a, const auto& b) {
+        return a.first.diagonal().squaredNorm() < b.first.diagonal().squaredNorm();
     });
-    for (const Box3& box : obstacles) {
+    for (const auto& [box, i] : obstacles) {
         if (subject.isEmpty() || box.diagonal().norm() <= k_dwarfs * subject.diagonal().norm()) {
+            counts[i] = true;
             subject.extend(box);
+        }
+    }
+    return counts;
+}
+
+Box3 subject_bounds(const Frame& frame) {
+    const std::vector<bool> counts = subject_objects(frame);
+    Box3 subject;
+    for (std::size_t i = 0; i < frame.objects.size(); ++i) {
+        if (counts[i]) {
+            subject.extend(object_bounds(frame.objects[i]));
         }
     }
     return subject;
 }
 
-CameraParams frame_camera(const Box3& bounds, const std::array<int, 2>& size) {
-    Box3 box = bounds;
-    if (box.isEmpty()) {
-        box = Box3(Vec3(-0.25, -0.25, -0.25), Vec3(0.25, 0.25, 0.25));
-    } else if (box.diagonal().norm() < k_least_size) {
-        box = Box3(box.center() - Vec3::Constant(0.25), box.center() + Vec3::Constant(0.25));
+CameraParams frame_camera(const Extent& extent, const std::array<int, 2>& size) {
+    const double diagonal = extent.is_empty() ? 0.0 : extent.box().diagonal().norm();
+    if (diagonal < k_least_size) {
+        const Vec3 middle = extent.is_empty() ? Vec3::Zero().eval() : extent.box().center();
+        return frame_camera(Box3(middle - Vec3::Constant(0.25), middle + Vec3::Constant(0.25)),
+                            size);
     }
+    const Vec3 middle = extent.box().center();
     CameraParams camera;
     const Axes axes =
         axes_towards(Vec3(std::sin(k_azimuth) * std::cos(k_elevation), std::sin(k_elevation),
                           std::cos(k_azimuth) * std::cos(k_elevation)));
     const double tan_up = std::tan(half_angle(camera.fov_deg));
     const double tan_right = tan_up * size[0] / size[1];
-    const View across(box, axes.right, axes.back, k_left * tan_right, k_right * tan_right);
-    const View upright(box, axes.up, axes.back, k_filled * tan_up, k_filled * tan_up);
+    const View across(extent.points(), middle, axes.right, axes.back, k_left * tan_right,
+                      k_right * tan_right);
+    const View upright(extent.points(), middle, axes.up, axes.back, k_filled * tan_up,
+                       k_filled * tan_up);
     const double distance = std::max(across.least_distance(), upright.least_distance());
     camera.target =
-        box.center() + across.shift(distance) * axes.right + upright.shift(distance) * axes.up;
+        middle + across.shift(distance) * axes.right + upright.shift(distance) * axes.up;
     camera.eye = camera.target + distance * axes.back;
     return camera;
 }

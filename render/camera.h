@@ -2,29 +2,33 @@
 
 #include "base/eigen.h"
 #include "frames/frame.h"
+#include "geometry/extent.h"
 #include "scene/params.h"
 
 #include <array>
 #include <span>
+#include <vector>
 
 namespace weft {
 
-using Box3 = Eigen::AlignedBox3d;
 using Mat4f = Eigen::Matrix4f;
 
-/// Box around what the picture is about: all cloth, and each obstacle that does not dwarf it (an
-/// obstacle whose diagonal is more than k_dwarfs times the rest is a floor or a room). Empty when
-/// nothing has vertices. Merge over the frames of a run to frame the whole motion.
-Box3 subject_bounds(const Frame& frame);
+/// Which objects of a frame the picture is about: all cloth, and each obstacle that does not dwarf
+/// it (an obstacle whose diagonal is more than k_dwarfs times the rest is a floor or a room). One a
+/// frame object.
+std::vector<bool> subject_objects(const Frame& frame);
 inline constexpr double k_dwarfs = 4.0;
+
+/// Box around these objects; empty when nothing has vertices.
+Box3 subject_bounds(const Frame& frame);
 
 /// Box around the vertices of one object; empty when it has none.
 Box3 object_bounds(const FrameObject& object);
 
-/// A three-quarter view from the front (+z), slightly from the right and above, that keeps the
-/// whole box in a picture of this size (pixels) with a margin; vertical field of view 35 degrees.
-/// An empty or point-like box is looked at from a metre away.
-CameraParams frame_camera(const Box3& bounds, const std::array<int, 2>& size);
+/// A three-quarter view from the front (+z), slightly from the right and above, that keeps all
+/// points in a picture of this size (pixels) with a margin, more on the right, where the legend
+/// stands; vertical field of view 35 degrees. Nothing, or a point, is looked at from a metre away.
+CameraParams frame_camera(const Extent& extent, const std::array<int, 2>& size);
 
 /// A camera as the renderer uses it: orthonormal axes and the matrix to clip space.
 struct Camera {

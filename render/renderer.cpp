@@ -40,12 +40,12 @@ int known_quantity(const std::string& name) {
 
 } // namespace
 
-Renderer::Renderer(const RenderParams& params, const Box3& bounds, const Vec2& range)
-    : params_(params), bounds_(bounds), quantity_(known_quantity(params.quantity)),
+Renderer::Renderer(const RenderParams& params, const Extent& motion, const Vec2& range)
+    : params_(params), bounds_(motion.box()), quantity_(known_quantity(params.quantity)),
       scale_(make_scale(params, quantity_, range)),
-      camera_(place_camera(params.has_camera ? params.camera : frame_camera(bounds, params.size),
+      camera_(place_camera(params.has_camera ? params.camera : frame_camera(motion, params.size),
                            params.size,
-                           bounds)),
+                           bounds_)),
       painter_(std::make_unique<Painter>(PainterParams{.size = params.size,
                                                        .supersample = params.supersample,
                                                        .edges = params.edges,

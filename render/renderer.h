@@ -17,12 +17,12 @@ namespace weft {
 /// camera, colours, floor.
 class Renderer {
 public:
-    /// @param params  of the scene; its camera is used when has_camera, else frame_camera(bounds);
+    /// @param params  of the scene; its camera is used when has_camera, else frame_camera(motion);
     ///                its range when has_range, else `range`
-    /// @param bounds  what the whole sequence moves in (subject_bounds, merged over the frames)
+    /// @param motion  what the whole sequence moves in; camera, floor and light are fitted to it
     /// @param range   used when the scene gives none, in the quantity's unit
     /// Throws Error (Disk) when OpenGL refuses, (BadInput) naming an unknown map or quantity.
-    Renderer(const RenderParams& params, const Box3& bounds, const Vec2& range);
+    Renderer(const RenderParams& params, const Extent& motion, const Vec2& range);
 
     /// The picture of a frame; the same bytes for the same frame, whatever was drawn before and on
     /// however many threads. May be called from any thread, one at a time.

@@ -53,7 +53,7 @@ Surface disc(const Vec3f& centre, float radius) {
 Stage build_stage(const Frame& frame, int quantity, const Box3& bounds, const Vec3& eye) {
     assert(quantity >= 0 && static_cast<std::size_t>(quantity) < k_quantities.size());
     Stage stage;
-    stage.subject = bounds.merged(subject_bounds(frame));
+    stage.subject = bounds;
     const bool is_empty = stage.subject.isEmpty();
     const double radius = is_empty ? 0.0 : 0.5 * stage.subject.diagonal().norm();
     double floor_height = is_empty ? 0.0 : stage.subject.min().y() - k_floor_gap * radius;
