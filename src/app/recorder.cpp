@@ -23,7 +23,7 @@ Recorder::Recorder(const RunPaths& paths,
                    const FrameRange& wanted)
     : paths_(paths), contact_(scene.contact), frames_(scene.scene.frames), scene_hash_(scene_hash),
       wanted_(wanted), capture_(start, scene.scene.fps), statistician_(start, scene.scene),
-      writer_(paths) {}
+      writer_(paths), pictures_(paths, scene) {}
 
 void Recorder::resume_after(int last) {
     writer_.keep_through(last);
@@ -78,7 +78,13 @@ void Recorder::record(const World& world,
                       .frames = frames_,
                       .seconds_per_frame = progress.clock().seconds_per_frame(world.frame, elapsed),
                       .seconds_left = progress.clock().seconds_left(world.frame, elapsed)};
-    worker_.push([this, record] { writer_.write(*record); });
+    worker_.push([this, record] {
+        if (record->frame) {
+            const ScopedTime time(record->timing.draw);
+            pictures_.draw(*record->frame);
+        }
+        writer_.write(*record);
+    });
 }
 
 void Recorder::checkpoint(const World& world) {
@@ -90,6 +96,7 @@ void Recorder::checkpoint(const World& world) {
 }
 
 void Recorder::finish() {
+    worker_.push([this] { pictures_.release(); });
     worker_.finish();
     writer_.finish();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/frame_range.h"
+#include "app/live_pictures.h"
 #include "app/ordered_worker.h"
 #include "app/progress.h"
 #include "frames/capture.h"
@@ -10,7 +11,8 @@
 
 namespace weft {
 
-/// Takes each frame out of the simulation and has it written while the next one is computed.
+/// Takes each frame out of the simulation and has it written and drawn while the next one is
+/// computed.
 class Recorder {
 public:
     Recorder(const RunPaths& paths,
@@ -21,6 +23,9 @@ public:
 
     /// Takes up a stopped run after frame `last`.
     void resume_after(int last);
+
+    /// Takes over its pictures up to that frame; 0: draws all anew.
+    void keep_pictures_through(int last) { pictures_.keep_through(last); }
 
     /// Writes what is written once: the obstacles.
     void begin();
@@ -37,6 +42,9 @@ public:
     /// Waits until all is written and completes the tables.
     void finish();
 
+    /// The pictures so far; to be asked after finish().
+    PictureTable& pictures() { return pictures_.table(); }
+
     CsvTable statistics() const { return writer_.statistics(); }
 
 private:
@@ -50,6 +58,7 @@ private:
     FrameCapture capture_;
     Statistician statistician_;
     RunWriter writer_;
+    LivePictures pictures_;
     OrderedWorker worker_{k_queue}; ///< last: its jobs use the others
 
     /// Frames that may wait: enough to even out slow disks, few enough to hold little memory.

@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "frames/run_paths.h"
+#include "frames/status.h"
 #include "scene/scene_reader.h"
 
 #include <CLI/CLI.hpp>
@@ -116,19 +117,26 @@ ExitCode render_run(const RenderOptions& options) {
                     "--frames: must stand beside -o DIR: the run's own table of pictures holds "
                     "all frames");
     }
+    const RunPaths paths{options.run};
+    if (options.out.empty() && std::filesystem::exists(paths.status()) &&
+        read_status(paths.status()).state != RunState::Done) {
+        throw Error(ExitCode::CommandLine,
+                    fmt::format("{}: is not finished, its pictures are the run's own: -o must name "
+                                "another folder",
+                                options.run.string()));
+    }
     set_thread_count(options.threads);
     const Scene scene = scene_to_draw(options);
     const CachedRun run(options.run, scene);
-    const RunPaths paths{options.run};
     const StopSignals signals;
     const Stopwatch watch;
     int drawn = 0;
     const PictureJob job{.folder = options.out.empty() ? paths.frames_dir() : options.out,
-                         .table = options.out.empty() ? paths.images() : options.out / "images.csv",
                          .frames = frames_to_draw(options, run),
                          .should_stop = [] { return StopSignals::received() != 0; },
                          .on_frame = [&](int count) { drawn = count; }};
-    const bool is_whole = draw_run(run, scene, job);
+    PictureTable table(options.out.empty() ? paths.images() : options.out / "images.csv");
+    const bool is_whole = draw_run(run, scene, picture_bounds(run, scene).motion, job, table);
     spdlog::info("{} pictures in {}, {:.2f} s each", drawn, job.folder.string(),
                  watch.seconds() / std::max(1, drawn));
     return is_whole ? ExitCode::Done : ExitCode::Stopped;

@@ -35,8 +35,9 @@ public:
 
 private:
     bool begin();
+    bool pictures_hold(const std::string& scene_text) const;
     bool advance_all(Progress& progress);
-    bool draw_pictures();
+    bool complete_pictures();
     ExitCode stop();
     ExitCode judge();
     void dump_failure();
@@ -68,7 +69,7 @@ ExitCode Simulation::run() {
         progress.finish();
         recorder_.finish();
         seconds_per_frame_ = progress.clock().seconds_per_frame(world_.frame, progress.elapsed());
-        return complete && draw_pictures() ? judge() : stop();
+        return complete && complete_pictures() ? judge() : stop();
     } catch (const Error& error) {
         end(RunState::Failed, error.code(), error.what());
         throw;
@@ -92,13 +93,23 @@ bool Simulation::begin() {
         }
         spdlog::info("{}: goes on after frame {}", paths_.folder.string(), world_.frame);
     }
-    write_atomically(paths_.scene(), std::string_view(write_scene(scene_, paths_.folder)));
+    const std::string text = write_scene(scene_, paths_.folder);
+    recorder_.keep_pictures_through(has_frame && pictures_hold(text) ? world_.frame : 0);
+    write_atomically(paths_.scene(), std::string_view(text));
     recorder_.begin();
     end(RunState::Running, ExitCode::Done, "");
     if (!has_frame) {
         recorder_.record(world_, {}, 0.0, Progress(0, frames_, Verbosity::Quiet));
     }
     return false;
+}
+
+/// True when the folder's pictures are of this very scene; those of a finished run may have been
+/// drawn again in another way.
+bool Simulation::pictures_hold(const std::string& scene_text) const {
+    return std::filesystem::exists(paths_.scene()) && read_file(paths_.scene()) == scene_text &&
+           std::filesystem::exists(paths_.status()) &&
+           read_status(paths_.status()).state != RunState::Done;
 }
 
 /// Frame by frame to the last. False: asked to stop before it.
@@ -125,20 +136,31 @@ bool Simulation::advance_all(Progress& progress) {
     return true;
 }
 
-/// Every picture that was asked for. False: asked to stop before the last.
-bool Simulation::draw_pictures() {
+/// Draws what the run has not drawn by now: all once more when the motion was not as foreseen.
+/// False: asked to stop before the last.
+bool Simulation::complete_pictures() {
     if (!scene_.render.enabled) {
         return true;
     }
     const CachedRun run(paths_.folder, scene_);
-    const std::vector<int> frames = run.frames();
+    const PictureBounds bounds = picture_bounds(run, scene_);
+    PictureTable& table = recorder_.pictures();
+    std::vector<int> frames = run.frames();
+    if (bounds.is_foreseen) {
+        std::erase_if(frames, [&](int frame) { return table.has(frame); });
+    } else {
+        spdlog::info("{}: the motion was not as foreseen: drawing the pictures again, fitted to it",
+                     paths_.folder.string());
+    }
+    if (frames.empty()) {
+        return true;
+    }
     Progress progress(0, static_cast<int>(frames.size()), options_.verbosity);
     const PictureJob job{.folder = paths_.frames_dir(),
-                         .table = paths_.images(),
                          .frames = frames,
                          .should_stop = [&] { return should_stop(); },
                          .on_frame = [&](int drawn) { progress.show_pictures(drawn); }};
-    return draw_run(run, scene_, job);
+    return draw_run(run, scene_, bounds.motion, job, table);
 }
 
 ExitCode Simulation::stop() {

@@ -19,7 +19,7 @@ struct SimulationOptions {
 void refuse_crossings(const World& world, const ContactParams& contact);
 
 /// Simulates a scene into its folder, from the beginning or from the folder's newest checkpoint,
-/// then draws the frames that were asked for.
+/// drawing the frames that were asked for meanwhile.
 ///
 /// Returns Done; RuleFailed after a line for each rule that a frame breaks; Stopped when a signal
 /// or the time limit ended it and a checkpoint was written. Throws Error for everything else, with

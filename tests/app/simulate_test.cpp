@@ -36,8 +36,8 @@ shape = "box"
 size = [0.08, 0.08, 0.08]
 motion = [{ t = 0.0 }, { t = 1.0, translate = [0.02, 0.0, 0.0] }]
 [render]
-enabled = false
 size = [160, 90]
+supersample = 1
 )";
 
 /// Every file that must be the same bytes, however a run came to its end.
@@ -66,7 +66,7 @@ void expect_same_run(const fs::path& a, const fs::path& b) {
 
 class Simulate : public testing::Test {
 protected:
-    Simulate() { test::write_file(scene, k_napkin); }
+    Simulate() { test::write_file(scene, std::string(k_napkin) + "enabled = false\n"); }
 
     test::ProcessResult run(const fs::path& out, std::vector<std::string> more = {}) {
         more.insert(more.begin(), {"simulate", scene.string(), "-o", out.string()});
@@ -166,6 +166,77 @@ TEST_F(Simulate, StoppedBySignalsLeavesACheckpointAndTheCode75) {
         EXPECT_EQ(run(out, {"--resume"}).exit_code, 0);
         expect_same_run(reference, out);
     }
+}
+
+TEST_F(Simulate, PicturesOfAStoppedRunAreThoseOfTheStraightOneAndOfRender) {
+    test::write_file(scene, std::string(k_napkin) + "enabled = true\n");
+    const fs::path reference = straight();
+    const fs::path again = folder / "again";
+
+    for (const int signal : {SIGKILL, SIGTERM}) {
+        const fs::path out = folder / ("stopped" + std::to_string(signal));
+        interrupt(out, 13, signal);
+        EXPECT_TRUE(fs::exists(RunPaths{out}.picture(12))); // drawn while the run went on
+        EXPECT_EQ(run(out, {"--resume"}).exit_code, 0);
+        expect_same_run(reference, out);
+    }
+    ASSERT_EQ(test::run_weft({"render", reference.string(), "-o", again.string()}, folder.path())
+                  .exit_code,
+              0);
+    for (int frame = 1; frame <= 24; ++frame) {
+        const fs::path picture = RunPaths{reference}.picture(frame);
+        EXPECT_TRUE(read_file(picture) == read_file(again / picture.filename())) << frame;
+    }
+}
+
+TEST_F(Simulate, DrawsPicturesOfAResumedRunAsItsSceneNowSays) {
+    const fs::path out = folder / "out";
+    ASSERT_EQ(run(out, {"-s", "render.enabled=true", "-s", "scene.frames=12"}).exit_code, 0);
+
+    ASSERT_EQ(
+        run(out, {"--resume", "-s", "render.enabled=true", "-s", "render.map='seed'"}).exit_code,
+        0);
+
+    const fs::path reference = folder / "reference";
+    ASSERT_EQ(run(reference, {"-s", "render.enabled=true", "-s", "render.map='seed'"}).exit_code,
+              0);
+    expect_same_run(reference, out);
+}
+
+TEST_F(Simulate, ShowsClothThatGoesWhereNobodyForesaw) {
+    // The block is pulled away from under the napkin that lands on it, which falls on.
+    const std::vector<std::string> pulled{
+        "-s", "render.enabled=true",
+        "-s", "scene.air_density=0",
+        "-s", "obstacle[0].motion=[{ t = 0.0 }, { t = 0.5, translate = [0.0, 0.0, -0.6] }]",
+        "-s", "scene.frames=14",
+        "-s", "render.size=[320, 180]"};
+    const fs::path out = folder / "out";
+
+    const test::ProcessResult result = run(out, pulled);
+
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.err.find("not as foreseen"), std::string::npos) << result.err;
+    const CsvTable table = parse_csv(read_file(RunPaths{out}.images()), "images.csv");
+    ASSERT_EQ(table.rows.size(), 14U);
+    for (std::size_t row = 0; row < 14; ++row) {
+        EXPECT_GT(table.number(row, table.find_column("covered_share")), 0.0) << row + 1;
+    }
+    const fs::path again = folder / "again";
+    ASSERT_EQ(
+        test::run_weft({"render", out.string(), "-o", again.string()}, folder.path()).exit_code, 0);
+    EXPECT_TRUE(read_file(RunPaths{out}.picture(14)) == read_file(again / "frame.0014.png"));
+}
+
+TEST_F(Simulate, LeavesThePicturesOfAnUnfinishedRunToItself) {
+    const fs::path out = folder / "out";
+    ASSERT_EQ(interrupt(out, 7, SIGTERM).exit_code, 75);
+
+    EXPECT_EQ(test::run_weft({"render", out.string()}, folder.path()).exit_code, 2);
+    EXPECT_EQ(
+        test::run_weft({"render", out.string(), "-o", (folder / "so far").string()}, folder.path())
+            .exit_code,
+        0);
 }
 
 TEST_F(Simulate, StopsAtTheTimeLimit) {
