@@ -1,11 +1,14 @@
 #include "app/live_pictures.h"
 
+#include <memory>
+
 namespace weft {
 
 LivePictures::LivePictures(const RunPaths& paths, const Scene& scene)
     : paths_(paths), scene_(scene), table_(paths.images()) {}
 
 void LivePictures::keep_through(int last) {
+    kept_ = last;
     table_.keep_through(last);
     if (std::filesystem::exists(paths_.images())) {
         table_.write(); // rows of pictures that are not taken over must not be believed again
@@ -13,7 +16,7 @@ void LivePictures::keep_through(int last) {
 }
 
 void LivePictures::draw(const Frame& frame) {
-    if (!scene_.render.enabled || table_.has(frame.number)) {
+    if (!scene_.render.enabled || (frame.number <= kept_ && table_.has(frame.number))) {
         return;
     }
     if (!writer_) {
@@ -24,12 +27,16 @@ void LivePictures::draw(const Frame& frame) {
         writer_.emplace(scene_, motion, paths_.frames_dir());
     }
     PictureStats stats;
-    writer_->write(frame.number, writer_->draw(frame, stats));
-    table_.put(frame.number, writer_->file(frame.number), stats);
-    table_.write_if_small();
+    auto image = std::make_shared<Image>(writer_->draw(frame, stats));
+    packer_.push([this, image, stats, number = frame.number] {
+        writer_->write(number, *image);
+        table_.put(number, writer_->file(number), stats);
+        table_.write_if_small();
+    });
 }
 
 void LivePictures::release() {
+    packer_.finish();
     writer_.reset();
     if (scene_.render.enabled) {
         table_.write();

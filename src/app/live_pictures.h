@@ -6,7 +6,8 @@
 
 namespace weft {
 
-/// Pictures of a run that goes on, each drawn when its frame is there. All calls but the first two
+/// Pictures of a run that goes on, each drawn when its frame is there and packed while the next one
+/// is drawn. All calls but the first two
 /// come from one thread at a time; draw() and release() from the same one, as OpenGL asks.
 class LivePictures {
 public:
@@ -21,13 +22,16 @@ public:
     /// Gives OpenGL back and completes the table.
     void release();
 
+    /// To be asked after release().
     PictureTable& table() { return table_; }
 
 private:
     RunPaths paths_;
     const Scene& scene_;
-    PictureTable table_;
+    int kept_ = 0;                        ///< last frame whose picture may have been taken over
+    PictureTable table_;                  ///< the packer's own while it works
     std::optional<PictureWriter> writer_; ///< from the first frame that is drawn
+    OrderedWorker packer_{2};             ///< last: its jobs use the others
 };
 
 } // namespace weft

@@ -16,7 +16,7 @@ struct FrameTiming {
     double step = 0.0;    ///< advancing to it, all stages together
     double verify = 0.0;  ///< the exact search for crossings
     double measure = 0.0; ///< capture and statistics
-    double draw = 0.0;    ///< the picture and its file, beside the simulation
+    double draw = 0.0;    ///< the picture, beside the simulation
 };
 
 /// All that one frame leaves behind.
