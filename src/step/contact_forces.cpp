@@ -5,7 +5,7 @@ namespace weft {
 namespace {
 
 /// Friction may pass Coulomb's limit by this share before it is revised.
-constexpr double k_cone_slack = 0.1;
+constexpr double k_cone_slack = 0.01;
 
 std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
@@ -58,7 +58,7 @@ void ContactForces::start(std::span<const RestingContact> contacts,
                 .norm();
         const double hold = stiffness * dt;
         active_.push_back(
-            {static_cast<Index>(c), contact, stiffness,
+            {static_cast<Index>(c), contact, stiffness, hold,
              limit * dt >= contact.mass * slip ? hold : std::min(hold, limit / slip)});
     }
 }
@@ -75,8 +75,16 @@ bool ContactForces::revise(std::span<const Vec3> x, std::span<const Vec3> v) {
         }
         const double limit = active.geometry.friction * load;
         const double held = drag(active, v).norm();
+        if (active.damping == 0.0 || held <= 0.0) {
+            continue;
+        }
+        const double slip = held / active.damping;
         if (held > (1.0 + k_cone_slack) * limit) {
-            active.damping *= limit / held;
+            // What the damper held too much will speed the contact up.
+            active.damping = limit / (slip + (held - limit) * dt_ / active.geometry.mass);
+            changed = true;
+        } else if (active.damping < active.hold && held < (1.0 - k_cone_slack) * limit) {
+            active.damping = std::min(active.hold, limit / slip);
             changed = true;
         }
     }

@@ -7,8 +7,9 @@ namespace weft {
 
 /// What resting contacts with obstacles do inside the implicit solve: a stiff one-sided spring
 /// along the normal from the contact thickness inwards, and a damper across that stands for Coulomb
-/// friction. The damper is stiff where friction can hold, and else as strong as makes its force
-/// Coulomb's at the speed found; spring and damper are revised until they agree with the solution.
+/// friction: stiff where friction can hold, else as strong as makes its force Coulomb's at the slip
+/// found. Both are revised once a rough solution is known; a damper never drives, whatever is
+/// found.
 ///
 /// Without it the solve lets cloth sink in for a substep and gives away the tension that presses it
 /// on: friction then finds too little to hold with, and draped cloth creeps off.
@@ -37,8 +38,8 @@ public:
     /// vertices.
     void add_blocks(double beta, std::span<const Index> row_of_vertex, BlockMatrix& matrix) const;
 
-    /// Makes springs that pulled and dampers beyond Coulomb's cone at (x, v) fit there; false when
-    /// all did.
+    /// Lets go of springs that pull at (x, v) and fits dampers to Coulomb's cone there; false when
+    /// there was nothing to change.
     bool revise(std::span<const Vec3> x, std::span<const Vec3> v);
 
     /// Writes what was carried over the substep, at its end state, to the contacts given to start.
@@ -51,7 +52,8 @@ private:
         Index contact; ///< of the list given to start
         RestingContact geometry;
         double stiffness; ///< N/m
-        double damping;   ///< across, N s/m
+        double hold;      ///< damping across of a contact that holds, N s/m
+        double damping;   ///< across now, N s/m
     };
 
     double push(const Active& active, std::span<const Vec3> x) const;

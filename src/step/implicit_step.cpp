@@ -18,6 +18,10 @@ constexpr int k_most_halvings = 10;
 /// How much rougher the solve is that only shows which contacts hold.
 constexpr double k_rough = 10.0;
 
+/// Rough solves at most. Fewer: some contacts hold what others have let go of, and a sheet sticks
+/// just above its friction angle; more: nothing changes any more.
+constexpr int k_rough_rounds = 4;
+
 bool all_finite(std::span<const Vec3> values) {
     return parallel_reduce(
         values.size(), true, [&](std::size_t i) { return values[i].allFinite(); },
@@ -131,16 +135,17 @@ bool ImplicitStep::newton_iteration(const HeldVertices& held,
     if (is_first) {
         add_best_fall(held);
     }
-    if (contact_forces_.acts()) {
-        // A rough solution shows which contacts hold; the solve proper starts from it.
+    // Rough solutions show which contacts hold; the solve proper starts from the last of them.
+    for (int round = 0; round < k_rough_rounds && contact_forces_.acts(); ++round) {
         if (!linear_solve(k_rough * params_.solver_tolerance, report)) {
             return false;
         }
         parallel_for(v_.size(), [&](std::size_t i) { trial_v_[i] = v_[i] + change_[i]; });
         move_to(trial_v_, trial_x_);
-        if (contact_forces_.revise(trial_x_, trial_v_)) {
-            build_system(held, report);
+        if (!contact_forces_.revise(trial_x_, trial_v_)) {
+            break;
         }
+        build_system(held, report);
     }
     if (!linear_solve(params_.solver_tolerance, report)) {
         return false;
