@@ -1,6 +1,6 @@
 #include "app/inspect_mesh.h"
 
-#include "app/sheet.h"
+#include "app/summary_lines.h"
 #include "base/error.h"
 #include "geometry/mesh_measure.h"
 #include "geometry/self_crossings.h"
@@ -56,7 +56,7 @@ void list_objects(const MeshFile& file,
                   const std::vector<std::size_t>& chosen,
                   const MeshSource& source,
                   const std::string& name,
-                  Sheet& sheet) {
+                  SummaryLines& sheet) {
     const std::vector<Group> groups = group_objects(file, chosen);
     std::size_t width = 8;
     for (const Group& group : groups) {
@@ -75,7 +75,7 @@ void list_objects(const MeshFile& file,
     }
 }
 
-void describe_boundary(const MeshMeasure& m, Sheet& sheet) {
+void describe_boundary(const MeshMeasure& m, SummaryLines& sheet) {
     if (m.is_closed) {
         sheet.row("boundary", "none: closed");
         return;
@@ -91,7 +91,7 @@ void describe_boundary(const MeshMeasure& m, Sheet& sheet) {
     }
 }
 
-void describe_shape(const MeshMeasure& m, Sheet& sheet) {
+void describe_shape(const MeshMeasure& m, SummaryLines& sheet) {
     const Vec3 size = m.high - m.low;
     sheet.row("size", "{:.4g} x {:.4g} x {:.4g} m (x, y, z), from ({:.4g}, {:.4g}, {:.4g})",
               size.x(), size.y(), size.z(), m.low.x(), m.low.y(), m.low.z());
@@ -107,7 +107,7 @@ void describe_shape(const MeshMeasure& m, Sheet& sheet) {
     }
 }
 
-void describe_uv(const ImportedMesh& m, Sheet& sheet) {
+void describe_uv(const ImportedMesh& m, SummaryLines& sheet) {
     if (m.corner_uv.empty()) {
         sheet.row("uv", "none");
         return;
@@ -118,7 +118,7 @@ void describe_uv(const ImportedMesh& m, Sheet& sheet) {
               plural(uv.seam_edges, "inner edge"));
 }
 
-void describe_counts(const MeshAssembly& mesh, int parts, Sheet& sheet) {
+void describe_counts(const MeshAssembly& mesh, int parts, SummaryLines& sheet) {
     const ImportedMesh& m = mesh.imported;
     sheet.row("vertices", "{} in the file, {} after welding", m.vertices_in_file,
               m.mesh.positions.size());
@@ -127,7 +127,7 @@ void describe_counts(const MeshAssembly& mesh, int parts, Sheet& sheet) {
               m.triangles_removed > 0 ? fmt::format(" ({} dropped)", m.triangles_removed) : "");
 }
 
-void describe_defects(const MeshAssembly& mesh, Sheet& sheet) {
+void describe_defects(const MeshAssembly& mesh, SummaryLines& sheet) {
     const MeshDefects& d = mesh.defects;
     const char* label = "defects";
     const auto say = [&](const char* what, const auto& elements) {
@@ -160,8 +160,10 @@ std::string without_name(const std::string& refusal, const std::string& name) {
     return refusal.starts_with(name + ": ") ? refusal.substr(name.size() + 2) : refusal;
 }
 
-InspectReport
-describe_read_file(const MeshFile& file, const MeshSource& source, bool as_cloth, Sheet sheet) {
+InspectReport describe_read_file(const MeshFile& file,
+                                 const MeshSource& source,
+                                 bool as_cloth,
+                                 SummaryLines sheet) {
     const std::vector<std::size_t> chosen = choose_objects(file, source.objects, source.file);
     const MeshAssembly mesh = assemble_mesh(file, chosen, source, source.file);
     sheet.row("format", "{}", file.format.empty() ? "not named" : file.format);
@@ -187,7 +189,7 @@ describe_read_file(const MeshFile& file, const MeshSource& source, bool as_cloth
 
 InspectReport
 describe_mesh_file(const std::filesystem::path& file, const MeshSource& source, bool as_cloth) {
-    Sheet sheet;
+    SummaryLines sheet;
     sheet.text = source.file + "\n";
     try {
         return describe_read_file(read_mesh_file(file, source.file), source, as_cloth, sheet);

@@ -1,5 +1,5 @@
 #include "app/inspect_scene.h"
-#include "app/sheet.h"
+#include "app/summary_lines.h"
 #include "base/error.h"
 #include "frames/csv.h"
 #include "frames/run_paths.h"
@@ -33,7 +33,7 @@ constexpr std::array<const char*, 10> k_shown{
     "triangles",    "contacts_obstacle", "contacts_self", "unresolved",    "min_gap_m",
     "stretch_mean", "stretch_max",       "kinetic_J",     "max_speed_m_s", "substeps"};
 
-void describe_column(const CsvTable& table, const char* name, Sheet& sheet) {
+void describe_column(const CsvTable& table, const char* name, SummaryLines& sheet) {
     const int column = table.find_column(name);
     if (column < 0) {
         return;
@@ -61,7 +61,7 @@ CsvTable read_table(const std::filesystem::path& file) {
 
 InspectReport describe_run(const std::filesystem::path& folder) {
     const RunPaths paths{folder};
-    Sheet sheet;
+    SummaryLines sheet;
     sheet.text = folder.string() + "\n";
     try {
         const RunStatus status = read_status(paths.status());

@@ -1,6 +1,6 @@
 #include "app/inspect_scene.h"
 
-#include "app/sheet.h"
+#include "app/summary_lines.h"
 #include "base/error.h"
 #include "scene/scene_reader.h"
 
@@ -16,7 +16,7 @@ void add_mesh(const Scene& scene, const MeshSource& source, bool cloth, InspectR
 }
 
 std::string describe_cloth(const ClothParams& cloth) {
-    Sheet sheet;
+    SummaryLines sheet;
     sheet.row("cloth", "{}: fabric {}, {:.4g} kg/m^2, {}", cloth.name, cloth.fabric.name,
               cloth.fabric.area_density, plural(cloth.pins.size(), "pin"));
     if (cloth.mesh.file.empty()) {
@@ -28,7 +28,7 @@ std::string describe_cloth(const ClothParams& cloth) {
 
 std::string describe_obstacle(const ObstacleParams& obstacle) {
     constexpr std::array<const char*, 4> names{"mesh", "sphere", "box", "plane"};
-    Sheet sheet;
+    SummaryLines sheet;
     sheet.row("obstacle", "{}: {}, {}", obstacle.name,
               names[static_cast<std::size_t>(obstacle.shape)],
               obstacle.motion.empty() ? "at rest" : plural(obstacle.motion.size(), "pose key"));
@@ -38,7 +38,7 @@ std::string describe_obstacle(const ObstacleParams& obstacle) {
 } // namespace
 
 InspectReport describe_scene(const std::filesystem::path& file) {
-    Sheet sheet;
+    SummaryLines sheet;
     sheet.text = file.string() + "\n";
     InspectReport report;
     try {

@@ -7,7 +7,7 @@
 namespace weft {
 
 /// Lines of "label  text" for a person, the texts under one another.
-class Sheet {
+class SummaryLines {
 public:
     /// Adds a line; an empty label continues the one above.
     template <typename... Args>
