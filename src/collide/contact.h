@@ -7,14 +7,30 @@
 
 namespace weft {
 
+/// What is wrong with a pair that contact could not resolve.
+enum class ProblemKind {
+    Crossing, ///< its triangles cross
+    TooNear,  ///< nearer than continuous detection allows
+    Pinched,  ///< obstacles leave it no room
+};
+
+/// Two triangles that contact could not keep apart.
+struct ContactProblem {
+    std::array<Index, 2> objects;   ///< cloths, then obstacles, as in World
+    std::array<Index, 2> triangles; ///< of these objects
+    Vec3 place;                     ///< where they meet, m
+    ProblemKind kind = ProblemKind::Crossing;
+};
+
 /// What contact did in one substep.
 struct ContactReport {
-    int contacts_obstacle = 0; ///< proximities and impacts between cloth and obstacles
-    int contacts_self = 0;     ///< between cloth and cloth
-    int impacts = 0;           ///< met by continuous detection
-    int zones = 0;             ///< impact zones that impulses could not resolve
-    int scaled_islands = 0;    ///< fail-safe: islands whose motion was cut back
-    int unresolved = 0;        ///< pairs that cross, or would, after all stages
+    int contacts_obstacle = 0;              ///< proximities and impacts between cloth and obstacles
+    int contacts_self = 0;                  ///< between cloth and cloth
+    int impacts = 0;                        ///< met by continuous detection
+    int zones = 0;                          ///< impact zones that impulses could not resolve
+    int scaled_islands = 0;                 ///< fail-safe: islands whose motion was cut back
+    int unresolved = 0;                     ///< pairs that cross, or would, after all stages
+    std::vector<ContactProblem> problems{}; ///< these pairs, as far as they are known
     double min_gap =
         std::numeric_limits<double>::infinity(); ///< least distance after, m; over pairs looked at
     double seconds_broad = 0.0, seconds_proximity = 0.0, seconds_impact = 0.0;

@@ -16,15 +16,18 @@ std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
 }
 
-CrossingPair
+ContactProblem
 describe(const ContactSurface& surface, std::span<const Vec3> x, const std::array<Index, 2>& pair) {
-    const auto object_of = [&](Index t) -> const ContactObject& {
-        return surface.objects[at(surface.object_of_vertex[at(surface.triangles[at(t)][0])])];
-    };
-    const ContactObject& a = object_of(pair[0]);
-    const ContactObject& b = object_of(pair[1]);
-    return {a.name, b.name, pair[0] - a.first_triangle, pair[1] - b.first_triangle,
-            crossing_place(surface.triangles[at(pair[0])], surface.triangles[at(pair[1])], x)};
+    ContactProblem crossing{
+        .objects{},
+        .triangles{},
+        .place = crossing_place(surface.triangles[at(pair[0])], surface.triangles[at(pair[1])], x)};
+    for (std::size_t side = 0; side < 2; ++side) {
+        const Index object = surface.object_of_vertex[at(surface.triangles[at(pair[side])][0])];
+        crossing.objects[side] = object;
+        crossing.triangles[side] = pair[side] - surface.objects[at(object)].first_triangle;
+    }
+    return crossing;
 }
 
 } // namespace
@@ -80,22 +83,37 @@ std::vector<std::array<Index, 2>> CrossingSearch::find(const ContactSurface& sur
     return crossings;
 }
 
-std::vector<CrossingPair> find_crossings(const World& world, std::size_t limit) {
-    ContactSurface surface = make_surface(world);
-    std::copy(world.positions.begin(), world.positions.end(), surface.start.begin());
+WorldCrossings::WorldCrossings(const World& world, bool self)
+    : surface_(make_surface(world)), search_(surface_, self) {}
+
+std::vector<ContactProblem> WorldCrossings::find(const World& world, double time) {
+    std::copy(world.positions.begin(), world.positions.end(), surface_.start.begin());
     std::size_t next = world.vertex_count();
     for (const Obstacle& obstacle : world.obstacles) {
         const std::size_t count = obstacle.mesh.positions.size();
-        obstacle_positions(obstacle, world.time, std::span(surface.start).subspan(next, count));
+        obstacle_positions(obstacle, time, std::span(surface_.start).subspan(next, count));
         next += count;
     }
-    CrossingSearch search(surface, true);
+    std::vector<ContactProblem> crossings;
+    for (const auto& pair : search_.find(surface_, surface_.start)) {
+        crossings.push_back(describe(surface_, surface_.start, pair));
+    }
+    return crossings;
+}
+
+std::vector<CrossingPair> find_crossings(const World& world, std::size_t limit) {
+    const auto name_of = [&](Index object) {
+        return at(object) < world.cloths.size()
+                   ? world.cloths[at(object)].name
+                   : world.obstacles[at(object) - world.cloths.size()].name;
+    };
     std::vector<CrossingPair> pairs;
-    for (const auto& pair : search.find(surface, surface.start)) {
+    for (const ContactProblem& p : WorldCrossings(world, true).find(world, world.time)) {
         if (pairs.size() == limit) {
             break;
         }
-        pairs.push_back(describe(surface, surface.start, pair));
+        pairs.push_back({name_of(p.objects[0]), name_of(p.objects[1]), p.triangles[0],
+                         p.triangles[1], p.place});
     }
     return pairs;
 }

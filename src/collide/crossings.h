@@ -1,5 +1,6 @@
 #pragma once
 
+#include "collide/contact.h"
 #include "collide/contact_surface.h"
 #include "geometry/box_tree.h"
 
@@ -22,6 +23,20 @@ private:
     BoxTree deformables_, obstacles_;
     std::vector<BoxTree::Task> tasks_;
     std::vector<std::vector<std::array<Index, 2>>> found_; ///< a task
+};
+
+/// The same search in a world as it stands: for tests and `--verify`, apart from the solver that it
+/// checks.
+class WorldCrossings {
+public:
+    WorldCrossings(const World& world, bool self);
+
+    /// Pairs that cross at world.positions with the obstacles where they are at `time` (s); sorted.
+    std::vector<ContactProblem> find(const World& world, double time);
+
+private:
+    ContactSurface surface_;
+    CrossingSearch search_;
 };
 
 } // namespace weft

@@ -2,10 +2,13 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "collide/crossings.h"
 #include "step/held.h"
 #include "step/implicit_step.h"
 
 #include <cmath>
+#include <tuple>
 
 namespace weft {
 
@@ -41,6 +44,28 @@ struct Snapshot {
         world.previous_velocities = previous_velocities;
     }
 };
+
+void add_problems(std::vector<TimedProblem>& all,
+                  double time,
+                  const std::vector<ContactProblem>& found) {
+    for (const ContactProblem& pair : found) {
+        all.push_back({time, pair});
+    }
+}
+
+/// Sorts them, and of those that tell of one pair the same keeps the last.
+void keep_last_of_each(std::vector<TimedProblem>& problems) {
+    const auto key = [](const TimedProblem& p) {
+        return std::tie(p.pair.objects, p.pair.triangles, p.pair.kind);
+    };
+    std::reverse(problems.begin(), problems.end());
+    std::stable_sort(problems.begin(), problems.end(),
+                     [&](const TimedProblem& p, const TimedProblem& q) { return key(p) < key(q); });
+    const auto same = [&](const TimedProblem& p, const TimedProblem& q) {
+        return key(p) == key(q);
+    };
+    problems.erase(std::unique(problems.begin(), problems.end(), same), problems.end());
+}
 
 void add_contact(ContactReport& total, const ContactReport& substep) {
     total.contacts_obstacle = std::max(total.contacts_obstacle, substep.contacts_obstacle);
@@ -87,17 +112,18 @@ bool moves_too_far(const World& world, std::span<const Vec3> end_positions) {
 
 struct Stepper::Impl {
     Impl(const World& world, const SceneParams& scene, const ContactParams& contact)
-        : scene(scene), implicit(world, scene), solver(world, contact),
-          contact_enabled(contact.enabled) {}
+        : scene(scene), implicit(world, scene), solver(world, contact), contact_params(contact) {}
 
     bool substep(World& world, double dt, FrameReport& report);
     void finish(World& world, double dt);
+    void verify(const World& world, double time, FrameReport& report);
     void forget_arrivals(World& world, double dt) const;
 
     SceneParams scene;
     ImplicitStep implicit;
     ContactSolver solver;
-    bool contact_enabled;
+    std::optional<WorldCrossings> crossings; ///< made when asked for
+    ContactParams contact_params;
     HeldVertices held;
     std::vector<RestingContact> resting;
     std::vector<Vec3> end_positions, end_velocities;       ///< as if nothing touched
@@ -108,7 +134,7 @@ struct Stepper::Impl {
 bool Stepper::Impl::substep(World& world, double dt, FrameReport& report) {
     // 1. external forces and 2. one implicit step of all deformables
     find_held(world, world.time + dt, held);
-    if (contact_enabled) {
+    if (contact_params.enabled) {
         solver.find_resting(world, held.flags, dt, resting);
     }
     const ImplicitReport step =
@@ -128,15 +154,31 @@ bool Stepper::Impl::substep(World& world, double dt, FrameReport& report) {
 
     // 4. proximities with friction, and 5. impacts until none is left
     ContactReport contact;
-    if (contact_enabled) {
+    if (contact_params.enabled) {
         contact = solver.resolve(world, average_velocities, held.flags, dt, resting);
     }
     add_contact(report.contact, contact);
+    add_problems(report.problems, world.time + dt, contact.problems);
+    report.substeps_impacts += contact.impacts > 0;
+    report.substeps_zones += contact.zones > 0;
+    report.substeps_scaled += contact.scaled_islands > 0;
     add_seconds(report.seconds, step, contact);
 
     // 6. final positions and velocities
     finish(world, dt);
+    verify(world, world.time + dt, report);
     return true;
+}
+
+/// Apart from contact itself, which it checks.
+void Stepper::Impl::verify(const World& world, double time, FrameReport& report) {
+    if (!crossings) {
+        return;
+    }
+    const ScopedTime watch(report.seconds.verify);
+    const std::vector<ContactProblem> found = crossings->find(world, time);
+    report.crossings = std::max(report.crossings, static_cast<int>(found.size()));
+    add_problems(report.problems, time, found);
 }
 
 /// Takes the motion that contact left. A vertex that nothing touched keeps the integrator's result;
@@ -202,6 +244,10 @@ Stepper::Stepper(const World& world, const SceneParams& scene, const ContactPara
 Stepper::~Stepper() = default;
 Stepper::Stepper(Stepper&&) noexcept = default;
 
+void Stepper::verify_substeps(const World& world) {
+    impl_->crossings.emplace(world, impl_->contact_params.self);
+}
+
 std::optional<FrameReport> Stepper::advance_frame(World& world,
                                                   const std::function<bool()>& should_stop) {
     const Snapshot start(world);
@@ -238,6 +284,7 @@ std::optional<FrameReport> Stepper::advance_frame(World& world,
                             world.frame + 1, dt, world.time));
         }
     }
+    keep_last_of_each(report.problems);
     ++world.frame;
     world.time = (world.frame - 1) / impl_->scene.fps;
     return report;

@@ -16,6 +16,13 @@ struct StageSeconds {
     double solve = 0.0;
     double contact_broad = 0.0, contact_proximity = 0.0, contact_impact = 0.0;
     double adapt = 0.0;
+    double verify = 0.0; ///< exact search for crossings, see verify_substeps()
+};
+
+/// A pair that was unresolved when a substep ended.
+struct TimedProblem {
+    double time; ///< of the substep's end, s
+    ContactProblem pair;
 };
 
 /// What happened between two frames.
@@ -26,7 +33,12 @@ struct FrameReport {
     double residual = 0.0; ///< greatest relative residual of a linear solve
     int refined = 0, coarsened = 0;
     ContactReport
-        contact; ///< counts: greatest over the substeps; unresolved: at the end; gap: least
+        contact;       ///< counts: greatest over the substeps; unresolved: at the end; gap: least
+    int crossings = 0; ///< verified: pairs that cross after a substep, greatest of all
+    /// Each unresolved pair once, as the last substep that found it did; sorted.
+    std::vector<TimedProblem> problems{};
+    /// Substeps that needed a stage of contact: met an impact, a zone, a scaled island.
+    int substeps_impacts = 0, substeps_zones = 0, substeps_scaled = 0;
     StageSeconds seconds;
 };
 
@@ -38,6 +50,9 @@ public:
     Stepper(const World& world, const SceneParams& scene, const ContactParams& contact);
     ~Stepper();
     Stepper(Stepper&&) noexcept;
+
+    /// From now on, looks for crossings exactly after every substep.
+    void verify_substeps(const World& world);
 
     /// From the world's frame to the next one. Throws Error (Diverged) when a substep fails at the
     /// floor of its length; the world then stands at its last good substep.
