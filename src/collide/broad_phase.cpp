@@ -34,9 +34,8 @@ bool stays_within(const Vec3& end, const Vec3& seen, double slack) {
            (end.array() <= seen.array().max(0.0) + slack).all();
 }
 
-bool same_poses(const std::array<Pose, 2>& a, const std::array<Pose, 2>& b) {
-    return a[0].rotation == b[0].rotation && a[0].translation == b[0].translation &&
-           a[1].rotation == b[1].rotation && a[1].translation == b[1].translation;
+bool same_pose(const Pose& a, const Pose& b) {
+    return a.rotation == b.rotation && a.translation == b.translation;
 }
 
 bool shares_vertex(const Triangle& t, Index v) {
@@ -44,6 +43,10 @@ bool shares_vertex(const Triangle& t, Index v) {
 }
 
 } // namespace
+
+bool BroadPhase::FittedMotion::operator==(const FittedMotion& other) const {
+    return same_pose(start, other.start) && same_pose(end, other.end) && number == other.number;
+}
 
 BroadPhase::BroadPhase(const ContactSurface& surface, bool self) : self_(self) {
     double largest = 0.0;
@@ -60,7 +63,7 @@ BroadPhase::BroadPhase(const ContactSurface& surface, bool self) : self_(self) {
     vertex_boxes_.resize(surface.start.size());
     triangle_boxes_.resize(surface.triangles.size());
     obstacles_.resize(surface.objects.size());
-    fitted_poses_.resize(surface.objects.size());
+    fitted_motions_.resize(surface.objects.size());
 }
 
 void BroadPhase::find(const ContactSurface& surface,
@@ -82,13 +85,13 @@ void BroadPhase::find(const ContactSurface& surface,
         if (object.is_obstacle) {
             const std::size_t vertex = at(object.first_vertex);
             const std::size_t triangle = at(object.first_triangle);
-            const std::array<Pose, 2> poses{object.start, object.end};
-            if (obstacles_[o].empty() || !same_poses(poses, fitted_poses_[o])) {
+            const FittedMotion motion{object.start, object.end, object.motion_number};
+            if (obstacles_[o].empty() || motion != fitted_motions_[o]) {
                 fit(surface,
                     {vertex, vertex + at(object.vertex_count), triangle,
                      triangle + at(object.triangle_count)},
                     Vec3::Zero(), dt, obstacles_[o]);
-                fitted_poses_[o] = poses;
+                fitted_motions_[o] = motion;
             }
             gather(surface, deformables_, obstacles_[o], object.first_triangle, candidates);
         }

@@ -40,6 +40,12 @@ private:
     struct Range {
         std::size_t first_vertex, end_vertex, first_triangle, end_triangle;
     };
+    /// What an obstacle's tree was fitted to: two that are equal sweep the same space.
+    struct FittedMotion {
+        Pose start{}, end{};
+        std::uint64_t number = 0; ///< ContactObject::motion_number
+        bool operator==(const FittedMotion& other) const;
+    };
     /// Boxes of what a range sweeps, seen from a frame that moves with `frame_velocity`.
     void fit(const ContactSurface& surface,
              const Range& range,
@@ -62,7 +68,7 @@ private:
     Vec3 frame_velocity_ = Vec3::Zero(); ///< mean of them
     BoxTree deformables_;
     std::vector<BoxTree> obstacles_; ///< one an object of the surface; empty for deformables
-    std::vector<std::array<Pose, 2>> fitted_poses_; ///< of each object's tree: start, end
+    std::vector<FittedMotion> fitted_motions_; ///< of each object's tree
     std::vector<BoxTree::Task> tasks_;
     std::vector<std::vector<Candidate>> found_; ///< a task
 };

@@ -78,6 +78,45 @@ PairRule rule_between(const ContactObject& a, const ContactObject& b) {
             std::sqrt(a.friction * b.friction)};
 }
 
+void place_rigid(ContactSurface& surface,
+                 ContactObject& object,
+                 const Obstacle& obstacle,
+                 double time,
+                 double dt) {
+    object.start = obstacle_pose(obstacle, time);
+    object.end = obstacle_pose(obstacle, time + dt);
+    const std::size_t first = at(object.first_vertex);
+    parallel_for(obstacle.mesh.positions.size(), [&](std::size_t i) {
+        const Vec3& x = obstacle.mesh.positions[i];
+        surface.start[first + i] = object.start * x;
+        surface.velocity[first + i] = (object.end * x - surface.start[first + i]) / dt;
+    });
+}
+
+void place_deforming(ContactSurface& surface,
+                     ContactObject& object,
+                     const Obstacle& obstacle,
+                     double time,
+                     double dt) {
+    const Pose pose_start = obstacle_pose(obstacle, time);
+    const Pose pose_end = obstacle_pose(obstacle, time + dt);
+    const Deformation::Positions start = obstacle_shape(obstacle, time);
+    const Deformation::Positions end = obstacle_shape(obstacle, time + dt);
+    const std::size_t first = at(object.first_vertex);
+    const bool stays = parallel_reduce(
+        start->size(), true,
+        [&](std::size_t i) {
+            const Vec3 x = pose_start * (*start)[i];
+            const Vec3 v = (pose_end * (*end)[i] - x) / dt;
+            const bool rests = v.isZero(0.0) && x == surface.start[first + i];
+            surface.start[first + i] = x;
+            surface.velocity[first + i] = v;
+            return rests;
+        },
+        [](bool a, bool b) { return a && b; });
+    object.motion_number += stays ? 0 : 1;
+}
+
 } // namespace
 
 double finest_thickness(const Cloth& cloth) {
@@ -110,6 +149,7 @@ ContactSurface make_surface(const World& world) {
         object.first_vertex = next_vertex;
         object.vertex_count = static_cast<Index>(obstacle.mesh.positions.size());
         object.friction = obstacle.params.friction;
+        object.deforms = deforms(obstacle);
         next_vertex += object.vertex_count;
         add_mesh(surface, std::move(object), obstacle.mesh.triangles, obstacle.topology);
     }
@@ -143,14 +183,11 @@ void place_surface(ContactSurface& surface,
     for (std::size_t o = 0; o < world.obstacles.size(); ++o) {
         const Obstacle& obstacle = world.obstacles[o];
         ContactObject& object = surface.objects[world.cloths.size() + o];
-        object.start = obstacle_pose(obstacle, world.time);
-        object.end = obstacle_pose(obstacle, world.time + dt);
-        const std::size_t first = at(object.first_vertex);
-        parallel_for(obstacle.mesh.positions.size(), [&](std::size_t i) {
-            const Vec3& x = obstacle.mesh.positions[i];
-            surface.start[first + i] = object.start * x;
-            surface.velocity[first + i] = (object.end * x - surface.start[first + i]) / dt;
-        });
+        if (object.deforms) {
+            place_deforming(surface, object, obstacle, world.time, dt);
+        } else {
+            place_rigid(surface, object, obstacle, world.time, dt);
+        }
     }
 }
 

@@ -15,7 +15,9 @@ struct ContactObject {
     double thickness = 0.0;      ///< to obstacles, m; 0 for an obstacle, which takes the cloth's
     double self_thickness = 0.0; ///< to deformables, m: lowered where the mesh is finer than it
     double friction = 0.0;       ///< Coulomb
-    Pose start{}, end{};         ///< of an obstacle, over the substep
+    Pose start{}, end{};         ///< of a rigid obstacle, over the substep
+    bool deforms = false;        ///< an obstacle that changes its shape
+    std::uint64_t motion_number = 0; ///< of a deforming obstacle: the same while it rests
 };
 
 /// What two objects agree on.
@@ -63,7 +65,7 @@ struct ContactSurface {
 ContactSurface make_surface(const World& world);
 
 /// Sets start, velocity and mass for the substep from world.time to world.time + dt: deformables
-/// move with `velocities` (#V of World), obstacles with the straight line between their poses.
+/// move with `velocities` (#V of World), obstacles on the straight line between their places.
 void place_surface(ContactSurface& surface,
                    const World& world,
                    std::span<const Vec3> velocities,

@@ -29,13 +29,14 @@ struct AffineMotion {
 struct Cut {
     double toi = 1.0;
     Index obstacle = k_no_index; ///< object it meets; a moving one before a resting one
+    std::vector<Index> met;      ///< vertices of the deforming obstacles it meets, each once
     Vec3 held_sum = Vec3::Zero();
     int held_count = 0;
     std::vector<Index> vertices;
 };
 
 bool moves(const ContactObject& object) {
-    return object.start.rotation != object.end.rotation ||
+    return object.deforms || object.start.rotation != object.end.rotation ||
            object.start.translation != object.end.translation;
 }
 
@@ -49,12 +50,16 @@ AffineMotion obstacle_motion(const ContactObject& object, double dt) {
     return motion;
 }
 
-/// Rigid motion with the momentum and angular momentum of the vertices.
+/// Rigid motion with the momentum and angular momentum of the vertices. Those of obstacles count
+/// alike.
 AffineMotion rigid_motion(const ContactSurface& surface, std::span<const Index> vertices) {
+    const auto mass_of = [&](Index v) {
+        return surface.is_deformable(v) ? 1.0 / surface.inverse_mass[at(v)] : 1.0;
+    };
     AffineMotion motion;
     double mass = 0.0;
     for (const Index v : vertices) {
-        const double m = 1.0 / surface.inverse_mass[at(v)];
+        const double m = mass_of(v);
         mass += m;
         motion.centre += m * surface.start[at(v)];
         motion.velocity += m * surface.velocity[at(v)];
@@ -64,7 +69,7 @@ AffineMotion rigid_motion(const ContactSurface& surface, std::span<const Index> 
     Vec3 spin = Vec3::Zero();
     Mat3 inertia = Mat3::Zero();
     for (const Index v : vertices) {
-        const double m = 1.0 / surface.inverse_mass[at(v)];
+        const double m = mass_of(v);
         const Vec3 r = surface.start[at(v)] - motion.centre;
         spin += m * r.cross(surface.velocity[at(v)] - motion.velocity);
         inertia += m * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
@@ -89,6 +94,10 @@ void meet(Cut& cut, const ContactSurface& surface, Index v) {
     if (!surface.is_deformable(v)) {
         if (cut.obstacle == k_no_index || moves(surface.objects[at(object)])) {
             cut.obstacle = object;
+        }
+        if (surface.objects[at(object)].deforms &&
+            std::find(cut.met.begin(), cut.met.end(), v) == cut.met.end()) {
+            cut.met.push_back(v);
         }
     } else {
         cut.held_sum += surface.velocity[at(v)];
@@ -131,7 +140,8 @@ std::vector<Cut> collect_cuts(const ContactSurface& surface,
 
 AffineMotion reference_motion(const ContactSurface& surface, const Cut& cut, double dt) {
     if (cut.obstacle != k_no_index) {
-        return obstacle_motion(surface.objects[at(cut.obstacle)], dt);
+        const ContactObject& obstacle = surface.objects[at(cut.obstacle)];
+        return obstacle.deforms ? rigid_motion(surface, cut.met) : obstacle_motion(obstacle, dt);
     }
     if (cut.held_count > 0) {
         return {.velocity = cut.held_sum / cut.held_count};

@@ -23,7 +23,8 @@ private:
 /// The last resort: cuts back the motion of every island that still has an impact, relative to a
 /// motion that brings its vertices no nearer to each other, so that `factor` = 0 is free of impacts
 /// inside it. That motion is: the one of the obstacle that the island meets (of the last moving one
-/// if several), else the mean velocity of the held vertices it meets, else the rigid motion with
+/// if several; of a deforming one the rigid motion nearest to that of its vertices that are met),
+/// else the mean velocity of the held vertices it meets, else the rigid motion with
 /// the island's momentum and angular momentum.
 ///
 /// @param strength 1: motion up to 0.8 times the island's earliest time of impact is kept; 0: none

@@ -162,6 +162,8 @@ std::uint64_t geometry_hash(const World& start) {
     for (const Obstacle& obstacle : start.obstacles) {
         add(hash, obstacle.mesh.positions);
         add(hash, obstacle.mesh.triangles);
+        const std::uint64_t motion = deforms(obstacle) ? obstacle.deformation->fingerprint() : 0;
+        hash.add(std::span<const std::uint64_t>(&motion, 1));
     }
     return hash.value();
 }

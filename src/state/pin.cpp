@@ -15,21 +15,8 @@ Mat3 triangle_frame(const Vec3& x0, const Vec3& x1, const Vec3& x2) {
     return frame;
 }
 
-struct Corners {
-    Vec3 x0, x1, x2;
-
-    Vec3 at(const Vec3& weights) const {
-        return weights[0] * x0 + weights[1] * x1 + weights[2] * x2;
-    }
-};
-
-Corners corners_of(const Obstacle& obstacle, Index triangle, double t) {
-    const Pose pose = obstacle_pose(obstacle, t);
-    const Triangle& v = obstacle.mesh.triangles[static_cast<std::size_t>(triangle)];
-    const auto at = [&](std::size_t k) {
-        return pose * obstacle.mesh.positions[static_cast<std::size_t>(v[k])];
-    };
-    return {at(0), at(1), at(2)};
+Vec3 weigh(const std::array<Vec3, 3>& corners, const Vec3& weights) {
+    return weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
 }
 
 } // namespace
@@ -37,23 +24,27 @@ Corners corners_of(const Obstacle& obstacle, Index triangle, double t) {
 Anchor anchor_to(const Obstacle& obstacle, Index obstacle_index, const Vec3& position) {
     Anchor anchor;
     anchor.obstacle = obstacle_index;
+    const Pose pose = obstacle_pose(obstacle, 0.0);
+    const Deformation::Positions shape = obstacle_shape(obstacle, 0.0);
+    const auto corner = [&](Index v) { return pose * (*shape)[static_cast<std::size_t>(v)]; };
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t t = 0; t < obstacle.mesh.triangles.size(); ++t) {
-        const Corners c = corners_of(obstacle, static_cast<Index>(t), 0.0);
-        if (triangle_area(c.x0, c.x1, c.x2) <= 0.0) {
+        const Triangle& v = obstacle.mesh.triangles[t];
+        const std::array<Vec3, 3> x{corner(v[0]), corner(v[1]), corner(v[2])};
+        if (triangle_area(x[0], x[1], x[2]) <= 0.0) {
             continue; // real bodies have some; a frame needs an area
         }
-        const Vec3 weights = closest_weights_on_triangle(position, c.x0, c.x1, c.x2);
-        const double distance = (c.at(weights) - position).squaredNorm();
+        const Vec3 weights = closest_weights_on_triangle(position, x[0], x[1], x[2]);
+        const double distance = (weigh(x, weights) - position).squaredNorm();
         if (distance < nearest) {
             nearest = distance;
             anchor.triangle = static_cast<Index>(t);
             anchor.weights = weights;
         }
     }
-    const Corners c = corners_of(obstacle, anchor.triangle, 0.0);
+    const auto x = obstacle_corners(obstacle, anchor.triangle, 0.0);
     anchor.offset =
-        triangle_frame(c.x0, c.x1, c.x2).transpose() * (position - c.at(anchor.weights));
+        triangle_frame(x[0], x[1], x[2]).transpose() * (position - weigh(x, anchor.weights));
     return anchor;
 }
 
@@ -65,9 +56,10 @@ Vec3 pin_position(const Pin& pin,
     if (pin.anchor.obstacle == k_no_index) {
         return pin.start + offset;
     }
-    const Corners c = corners_of(obstacles[static_cast<std::size_t>(pin.anchor.obstacle)],
-                                 pin.anchor.triangle, t);
-    return c.at(pin.anchor.weights) + triangle_frame(c.x0, c.x1, c.x2) * pin.anchor.offset + offset;
+    const auto x = obstacle_corners(obstacles[static_cast<std::size_t>(pin.anchor.obstacle)],
+                                    pin.anchor.triangle, t);
+    return weigh(x, pin.anchor.weights) + triangle_frame(x[0], x[1], x[2]) * pin.anchor.offset +
+           offset;
 }
 
 } // namespace weft

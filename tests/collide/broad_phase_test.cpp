@@ -145,4 +145,34 @@ TEST(BroadPhase, WithoutSelfContactLeavesClothToItself) {
     }
 }
 
+TEST(BroadPhase, FollowsAnObstacleThatDeforms) {
+    World world;
+    test::add_sheet(world, 5, 0.3, 0.5, {});
+    Obstacle& ball = test::add_sphere(world, 0.1, Vec3::Zero(), 1);
+    const std::vector<Vec3> rest = ball.mesh.positions;
+    ball.deformation =
+        std::make_shared<Deformation>(rest.size(), 0, [rest](double t, std::span<Vec3> positions) {
+            for (std::size_t i = 0; i < rest.size(); ++i) {
+                positions[i] = (1.0 + std::max(0.0, t - 1.0)) * rest[i]; // reaches y = 0.5 at t = 5
+            }
+        });
+    ContactSurface surface = make_surface(world);
+    BroadPhase broad_phase(surface, false);
+    const std::vector<Vec3> velocities(world.vertex_count(), Vec3::Zero());
+    const std::vector<char> held(world.vertex_count(), 0);
+    std::vector<Candidate> candidates;
+    const auto find_at = [&](double t) {
+        world.time = t;
+        place_surface(surface, world, velocities, held, 0.5);
+        broad_phase.find(surface, 0.5, candidates);
+        return candidates.size();
+    };
+
+    EXPECT_EQ(find_at(0.0), 0u);
+    const std::uint64_t number = surface.objects[1].motion_number;
+    EXPECT_EQ(find_at(0.5), 0u);
+    EXPECT_EQ(surface.objects[1].motion_number, number); // at rest: nothing to fit anew
+    EXPECT_GT(find_at(4.75), 0u);
+}
+
 } // namespace weft

@@ -128,6 +128,33 @@ TEST(ContactSolver, FastSphereDoesNotTunnelASheet) {
     EXPECT_GT(world.positions[middle].y(), 0.7 + 0.1); // above the ball's top at y = 0.8
 }
 
+TEST(ContactSolver, FastGrowingSpikeDoesNotTunnelASheet) {
+    // A ball whose upper half shoots up at 20 m/s, 0.1 m a substep, and is pulled back as fast.
+    World world;
+    add_sheet(world, 16, 1.0, 0.0, fabric(0.3));
+    Obstacle& ball = add_sphere(world, 0.1, {0.0, -0.3, 0.0}, 2);
+    const std::vector<Vec3> rest = ball.mesh.positions;
+    ball.deformation =
+        std::make_shared<Deformation>(rest.size(), 0, [rest](double t, std::span<Vec3> positions) {
+            const double rise = 20.0 * std::min(t, 0.06 - t);
+            for (std::size_t i = 0; i < rest.size(); ++i) {
+                positions[i] = rest[i] + std::max(0.0, rest[i].y() / 0.1) * rise * Vec3::UnitY();
+            }
+        });
+    ContactSolver solver(world, {});
+
+    double highest = 0.0;
+    for (int i = 0; i < 12; ++i) {
+        const ContactReport report =
+            step(world, solver, 0.005, {.gravity = Vec3::Zero(), .spring = 5.0});
+        ASSERT_EQ(report.unresolved, 0) << i;
+        ASSERT_TRUE(find_crossings(world, 1).empty()) << i;
+        highest = std::max(highest, world.positions[8 * 17 + 8].y());
+    }
+
+    EXPECT_GT(highest, 0.4); // the tip reaches y = -0.2 + 0.6
+}
+
 TEST(ContactSolver, FrictionHoldsBelowItsLimitAndSlidesAboveIt) {
     // On a floor, gravity tilted by an angle: the cloth sticks for tan(angle) < mu, else slides
     // with g (sin - mu cos).

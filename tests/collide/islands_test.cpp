@@ -115,4 +115,21 @@ TEST(CutBack, KeepsAShareOfTheMotionUpToTheImpact) {
     EXPECT_EQ(scene.touched[3], 0);
 }
 
+TEST(Islands, KeepTheirPlaceOnADeformingObstacleThatTurns) {
+    // The obstacle deforms in name only: it turns about x as a whole.
+    WildSheet scene;
+    const Vec3 turning(3.0, 0.0, 0.0);
+    const Index first = scene.surface.objects[1].first_vertex;
+    const Index corner = first + 3;
+    scene.surface.objects[1].deforms = true;
+    for (Index v = first; v < static_cast<Index>(scene.surface.start.size()); ++v) {
+        scene.surface.velocity[static_cast<std::size_t>(v)] = turning.cross(scene.start(v));
+    }
+
+    // A vertex of the sheet against a face: three vertices of the obstacle.
+    scene.cut({2, corner, corner + 1, corner + 2}, 0.0, 0.5);
+
+    EXPECT_LT((scene.velocity(2) - turning.cross(scene.start(2))).norm(), 1e-12);
+}
+
 } // namespace weft
