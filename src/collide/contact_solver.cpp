@@ -78,8 +78,9 @@ struct ContactSolver::Impl {
     std::vector<Vec3> clean_start, clean_end;
 
     Impl(const World& world, const ContactParams& contact)
-        : params(contact), surface(make_surface(world)), broad_phase(surface, contact.self),
-          resting_search(surface), crossing_search(surface, contact.self) {
+        : params(contact), surface(make_surface(world, contact)),
+          broad_phase(surface, contact.self), resting_search(surface),
+          crossing_search(surface, contact.self) {
         for (const ContactObject& object : surface.objects) {
             if (contact.self && object.self_thickness < object.thickness) {
                 warnings.push_back(fmt::format(

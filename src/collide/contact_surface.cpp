@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numeric>
@@ -71,11 +72,26 @@ void build_rings(ContactSurface& surface, std::size_t vertices) {
     }
 }
 
-PairRule rule_between(const ContactObject& a, const ContactObject& b) {
+const FrictionPair*
+find_pair(std::span<const FrictionPair> table, const std::string& a, const std::string& b) {
+    const std::array<std::string, 2> names{a, b};
+    const auto found = std::find_if(table.begin(), table.end(), [&](const FrictionPair& pair) {
+        return std::is_permutation(names.begin(), names.end(), pair.between.begin());
+    });
+    return found == table.end() ? nullptr : &*found;
+}
+
+PairRule rule_between(const ContactObject& a,
+                      const ContactObject& b,
+                      std::span<const FrictionPair> friction) {
     const bool both_deformable = !a.is_obstacle && !b.is_obstacle;
-    return {both_deformable ? 0.5 * (a.self_thickness + b.self_thickness)
-                            : std::max(a.thickness, b.thickness),
-            std::sqrt(a.friction * b.friction)};
+    const double thickness = both_deformable ? 0.5 * (a.self_thickness + b.self_thickness)
+                                             : std::max(a.thickness, b.thickness);
+    if (const FrictionPair* pair = find_pair(friction, a.name, b.name)) {
+        return {thickness, pair->friction, pair->static_friction.value_or(pair->friction)};
+    }
+    return {thickness, std::sqrt(a.friction * b.friction),
+            std::sqrt(a.static_friction * b.static_friction)};
 }
 
 void place_rigid(ContactSurface& surface,
@@ -129,7 +145,7 @@ double finest_thickness(const Cloth& cloth) {
     return 0.5 * least;
 }
 
-ContactSurface make_surface(const World& world) {
+ContactSurface make_surface(const World& world, const ContactParams& contact) {
     ContactSurface surface;
     for (const Cloth& cloth : world.cloths) {
         const FabricParams& fabric = cloth.params.fabric;
@@ -139,6 +155,7 @@ ContactSurface make_surface(const World& world) {
         object.thickness = fabric.thickness;
         object.self_thickness = std::min(fabric.thickness, finest_thickness(cloth));
         object.friction = fabric.friction;
+        object.static_friction = fabric.static_friction.value_or(fabric.friction);
         add_mesh(surface, std::move(object), cloth.triangles, cloth.topology);
     }
     surface.deformable_vertices = static_cast<Index>(world.vertex_count());
@@ -150,12 +167,13 @@ ContactSurface make_surface(const World& world) {
         object.vertex_count = static_cast<Index>(obstacle.mesh.positions.size());
         object.friction = obstacle.params.friction;
         object.deforms = deforms(obstacle);
+        object.static_friction = obstacle.params.static_friction.value_or(object.friction);
         next_vertex += object.vertex_count;
         add_mesh(surface, std::move(object), obstacle.mesh.triangles, obstacle.topology);
     }
     for (const ContactObject& a : surface.objects) {
         for (const ContactObject& b : surface.objects) {
-            surface.rules.push_back(rule_between(a, b));
+            surface.rules.push_back(rule_between(a, b, contact.friction));
         }
     }
     const std::size_t vertices = at(next_vertex);

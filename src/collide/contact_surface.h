@@ -12,18 +12,20 @@ struct ContactObject {
     bool is_obstacle = false;
     Index first_vertex = 0, vertex_count = 0;     ///< of ContactSurface
     Index first_triangle = 0, triangle_count = 0; ///< of ContactSurface
-    double thickness = 0.0;      ///< to obstacles, m; 0 for an obstacle, which takes the cloth's
-    double self_thickness = 0.0; ///< to deformables, m: lowered where the mesh is finer than it
-    double friction = 0.0;       ///< Coulomb
-    Pose start{}, end{};         ///< of a rigid obstacle, over the substep
-    bool deforms = false;        ///< an obstacle that changes its shape
+    double thickness = 0.0;       ///< to obstacles, m; 0 for an obstacle, which takes the cloth's
+    double self_thickness = 0.0;  ///< to deformables, m: lowered where the mesh is finer than it
+    double friction = 0.0;        ///< Coulomb, kinetic
+    double static_friction = 0.0; ///< Coulomb, of what rests
+    Pose start{}, end{};          ///< of a rigid obstacle, over the substep
+    bool deforms = false;         ///< an obstacle that changes its shape
     std::uint64_t motion_number = 0; ///< of a deforming obstacle: the same while it rests
 };
 
 /// What two objects agree on.
 struct PairRule {
-    double thickness; ///< wanted distance, m
-    double friction;  ///< sqrt(mu_a mu_b)
+    double thickness;       ///< wanted distance, m
+    double friction;        ///< Coulomb, kinetic
+    double static_friction; ///< Coulomb, of what rests; >= friction
 };
 
 /// All surfaces as one: the vertices of the deformables (as in World), then those of the obstacles;
@@ -61,8 +63,9 @@ struct ContactSurface {
     }
 };
 
-/// The surface of a world, without motion.
-ContactSurface make_surface(const World& world);
+/// The surface of a world, without motion. Friction between two objects is the contact table's, or
+/// sqrt(mu_a mu_b) where it does not speak of them.
+ContactSurface make_surface(const World& world, const ContactParams& contact = {});
 
 /// Sets start, velocity and mass for the substep from world.time to world.time + dt: deformables
 /// move with `velocities` (#V of World), obstacles on the straight line between their places.

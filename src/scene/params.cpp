@@ -40,6 +40,14 @@ private:
     std::string text_;
 };
 
+void check_friction(Finding& finding, double friction, const std::optional<double>& at_rest) {
+    finding.not_negative("friction", friction, "");
+    if (at_rest) {
+        finding.require(*at_rest >= friction && std::isfinite(*at_rest), "static_friction",
+                        *at_rest, fmt::format(">= friction, {}", friction));
+    }
+}
+
 std::string element(std::string_view key, Eigen::Index i) {
     return fmt::format("{}[{}]", key, i);
 }
@@ -78,6 +86,12 @@ std::string problem(const MeshSource& params) {
     return finding.text();
 }
 
+std::string problem(const FrictionPair& params) {
+    Finding finding;
+    check_friction(finding, params.friction, params.static_friction);
+    return finding.text();
+}
+
 std::string problem(const FabricParams& params) {
     Finding finding;
     finding.positive("density", params.area_density, "kg/m^2");
@@ -89,7 +103,7 @@ std::string problem(const FabricParams& params) {
                     ">= 0 and < 1");
     finding.not_negative("bend", params.bend_stiffness, "N m");
     finding.positive("thickness", params.thickness, "m");
-    finding.not_negative("friction", params.friction, "");
+    check_friction(finding, params.friction, params.static_friction);
     finding.not_negative("damping[0]", params.damping[0], "1/s");
     finding.not_negative("damping[1]", params.damping[1], "s");
     finding.positive("range[0]", params.working_range[0], "");
@@ -137,7 +151,7 @@ std::string problem(const ObstacleParams& params) {
     for (Eigen::Index i = 0; i < 3; ++i) {
         finding.positive(element("size", i), params.size[i], "m");
     }
-    finding.not_negative("friction", params.friction, "");
+    check_friction(finding, params.friction, params.static_friction);
     for (std::size_t i = 1; i < params.motion.size(); ++i) {
         require_ascending(finding, fmt::format("motion[{}].t", i), params.motion[i - 1].t,
                           params.motion[i].t);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,11 +33,20 @@ struct SceneParams {
 
 enum class StartOverlap { Error, Grow, Untangle };
 
+/// `[[contact.friction]]`: coefficients of two objects in place of those mixed from their own.
+struct FrictionPair {
+    std::array<std::string, 2> between{};    ///< names; twice the same: the object with itself
+    double friction = 0.3;                   ///< Coulomb, kinetic, >= 0
+    std::optional<double> static_friction{}; ///< >= friction; none: friction
+    bool operator==(const FrictionPair&) const = default;
+};
+
 /// `[contact]`.
 struct ContactParams {
     StartOverlap start_overlap = StartOverlap::Error;
     bool self = true;    ///< cloth against itself and against other cloth
     bool enabled = true; ///< false: nothing touches anything (for tests of the mechanics)
+    std::vector<FrictionPair> friction{}; ///< at most one for two objects
     bool operator==(const ContactParams&) const = default;
 };
 
@@ -69,7 +79,8 @@ struct FabricParams {
     double poisson = 0.3;                   ///< sqrt(nu12 nu21), [0, 1)
     double bend_stiffness = 1.0e-5;         ///< key `bend`: rigidity, N m, >= 0
     double thickness = 1.0e-3;              ///< of contact, m, > 0
-    double friction = 0.3;                  ///< Coulomb, >= 0
+    double friction = 0.3;                  ///< Coulomb, kinetic, >= 0
+    std::optional<double> static_friction;  ///< >= friction; none: friction
     Vec2 damping{0.0, 0.0};                 ///< Rayleigh: mass 1/s, stiffness s; >= 0
     Vec2 working_range{0.9, 1.2};           ///< key `range`: stretch, for the colour map
     bool operator==(const FabricParams&) const = default;
@@ -131,8 +142,9 @@ struct ObstacleParams {
     double radius = 0.1;      ///< sphere, m, > 0
     Vec3 size{1.0, 1.0, 1.0}; ///< box: edge lengths; plane: x and z extent; m, > 0
     Placement placement;
-    double friction = 0.3;
-    std::vector<PoseKey> motion; ///< by ascending t; empty: static
+    double friction = 0.3;                   ///< Coulomb, kinetic, >= 0
+    std::optional<double> static_friction{}; ///< >= friction; none: friction
+    std::vector<PoseKey> motion;             ///< by ascending t; empty: static
     bool operator==(const ObstacleParams&) const = default;
 };
 
@@ -164,6 +176,7 @@ struct RenderParams {
 std::string problem(const SceneParams& params);
 std::string problem(const Placement& params);
 std::string problem(const MeshSource& params);
+std::string problem(const FrictionPair& params);
 std::string problem(const FabricParams& params);
 std::string problem(const PinParams& params);
 std::string problem(const ClothParams& params);

@@ -40,7 +40,7 @@ void read_fabric_values(TomlTable& table, FabricParams& fabric) {
     table.read("poisson", fabric.poisson);
     table.read("bend", fabric.bend_stiffness);
     table.read("thickness", fabric.thickness);
-    table.read("friction", fabric.friction);
+    read_friction(table, fabric.friction, fabric.static_friction);
     table.read("damping", fabric.damping);
     table.read("range", fabric.working_range);
     table.finish();

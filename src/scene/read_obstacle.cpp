@@ -42,7 +42,7 @@ ObstacleParams read_obstacle(TomlTable table) {
     read_mesh_source(table, params.mesh);
     read_shape(table, params);
     read_placement(table, params.placement);
-    table.read("friction", params.friction);
+    read_friction(table, params.friction, params.static_friction);
     params.motion = read_motion(table);
     table.finish();
     table.refuse(problem(params));

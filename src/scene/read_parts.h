@@ -8,7 +8,10 @@
 namespace weft {
 
 SceneParams read_scene_params(TomlTable table);
-ContactParams read_contact(TomlTable table);
+/// @param cloths, obstacles  names that `[[contact.friction]]` may speak of
+ContactParams read_contact(TomlTable table,
+                           const std::vector<std::string>& cloths,
+                           const std::vector<std::string>& obstacles);
 /// @param base_dir   what the path of a fabric file is relative to
 /// @param obstacles  names that a pin may follow
 ClothParams read_cloth(TomlTable table,
@@ -28,6 +31,9 @@ void read_fabric_values(TomlTable& table, FabricParams& fabric);
 std::string read_name(TomlTable& table);
 /// mesh, object, units, up, repair; `source.file` stays empty without mesh.
 void read_mesh_source(TomlTable& table, MeshSource& source);
+/// friction, static_friction; a new friction takes the static one along unless that is given too.
+/// Returns whether friction was there.
+bool read_friction(TomlTable& table, double& friction, std::optional<double>& static_friction);
 /// translate, rotate_deg, scale.
 void read_placement(TomlTable& table, Placement& placement);
 

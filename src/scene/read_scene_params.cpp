@@ -19,14 +19,4 @@ SceneParams read_scene_params(TomlTable table) {
     return params;
 }
 
-ContactParams read_contact(TomlTable table) {
-    ContactParams params;
-    table.read_choice("start_overlap", params.start_overlap, {{"error", StartOverlap::Error}},
-                      {"grow", "untangle"});
-    table.read("self", params.self);
-    table.read("enabled", params.enabled);
-    table.finish();
-    return params;
-}
-
 } // namespace weft

@@ -32,6 +32,14 @@ void read_objects(TomlTable& root, Scene& scene) {
     }
 }
 
+template <typename T> std::vector<std::string> names_of(const std::vector<T>& objects) {
+    std::vector<std::string> names;
+    for (const T& object : objects) {
+        names.push_back(object.name);
+    }
+    return names;
+}
+
 Scene read_tree(const toml::table& tree, const std::filesystem::path& base_dir) {
     TomlTable root(tree, "");
     Scene scene;
@@ -42,10 +50,11 @@ Scene read_tree(const toml::table& tree, const std::filesystem::path& base_dir) 
     if (root.has("scene")) {
         scene.scene = read_scene_params(root.table("scene"));
     }
-    if (root.has("contact")) {
-        scene.contact = read_contact(root.table("contact"));
-    }
     read_objects(root, scene);
+    if (root.has("contact")) {
+        scene.contact =
+            read_contact(root.table("contact"), names_of(scene.cloths), names_of(scene.obstacles));
+    }
     if (root.has("render")) {
         scene.render = read_render(root.table("render"));
     }

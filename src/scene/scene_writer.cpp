@@ -20,12 +20,24 @@ void write_scene_params(TomlWriter& out, const SceneParams& params) {
     out.line("air_density", params.air_density, "kg/m^3");
 }
 
+void write_friction(TomlWriter& out, double friction, const std::optional<double>& at_rest) {
+    out.line("friction", friction, "kinetic");
+    if (at_rest) {
+        out.line("static_friction", *at_rest);
+    }
+}
+
 void write_contact(TomlWriter& out, const ContactParams& params) {
     out.header("[contact]");
     const char* const words[] = {"error", "grow", "untangle"};
     out.line("start_overlap", words[static_cast<int>(params.start_overlap)]);
     out.line("self", params.self);
     out.line("enabled", params.enabled);
+    for (const FrictionPair& pair : params.friction) {
+        out.header("[[contact.friction]]");
+        out.line("between", pair.between);
+        write_friction(out, pair.friction, pair.static_friction);
+    }
 }
 
 /// The path of a mesh from `folder`, through links resolved on both sides.
@@ -66,7 +78,7 @@ void write_fabric(TomlWriter& out, const FabricParams& fabric) {
     out.line("poisson", fabric.poisson);
     out.line("bend", fabric.bend_stiffness, "N m");
     out.line("thickness", fabric.thickness, "m");
-    out.line("friction", fabric.friction);
+    write_friction(out, fabric.friction, fabric.static_friction);
     out.line("damping", fabric.damping, "mass 1/s, stiffness s");
     out.line("range", fabric.working_range, "working range of stretch");
 }
@@ -151,7 +163,7 @@ void write_obstacle(TomlWriter& out,
         break;
     }
     write_placement(out, obstacle.placement);
-    out.line("friction", obstacle.friction);
+    write_friction(out, obstacle.friction, obstacle.static_friction);
     std::string motion;
     for (const PoseKey& key : obstacle.motion) {
         motion += fmt::format("    {{ t = {}, translate = {}, rotate_deg = {} }},\n",

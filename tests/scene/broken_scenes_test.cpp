@@ -34,6 +34,11 @@ std::string message_of(const std::string& text) {
 
 const std::string k_ball = "[[obstacle]]\nname = \"ball\"\nshape = \"sphere\"\n";
 
+/// An entry of the friction table in three lines.
+std::string friction(const std::string& between, double coefficient = 0.5) {
+    return fmt::format("[[contact.friction]]\nbetween = {}\nfriction = {}\n", between, coefficient);
+}
+
 const std::vector<Broken> k_broken{
     {"nothing", "", "a.toml:1:1: needs a [[cloth]]: nothing would move"},
     {"unknown table", "[secne]\nframes = 3\n" + cloth(""),
@@ -109,6 +114,30 @@ const std::vector<Broken> k_broken{
      "a.toml:4:11: obstacle[0].motion[0]: needs t, the time in s"},
     {"motion back in time", k_ball + "motion = [{ t = 1 }, { t = 1 }]\n" + cloth(""),
      "a.toml:4:28: obstacle[0].motion[1].t = 1: must be > 1 s, the time before"},
+    {"static friction below the kinetic",
+     k_ball + "friction = 0.5\nstatic_friction = 0.4\n" + cloth(""),
+     "a.toml:5:19: obstacle[0].static_friction = 0.4: must be >= friction, 0.5"},
+    {"static friction below the default", cloth("fabric = { static_friction = 0.2 }\n"),
+     "a.toml:4:30: cloth[0].fabric.static_friction = 0.2: must be >= friction, 0.3"},
+    {"friction of nobody", k_ball + cloth("") + friction("[\"flag\", \"bal\"]"),
+     "a.toml:8:11: contact.friction[0].between = [\"flag\", \"bal\"]: bal is no object; the "
+     "nearest "
+     "is ball"},
+    {"friction of one", cloth("") + friction("\"flag\""),
+     "a.toml:5:11: contact.friction[0].between = \"flag\": must be the names of two objects"},
+    {"friction of obstacles", k_ball + cloth("") + friction("[\"ball\", \"ball\"]"),
+     "a.toml:8:11: contact.friction[0].between = [\"ball\", \"ball\"]: must name a cloth: "
+     "obstacles "
+     "do not touch each other"},
+    {"friction without a number",
+     cloth("") + "[[contact.friction]]\nbetween = [\"flag\", \"flag\"]\n",
+     "a.toml:4:1: contact.friction[0]: needs friction"},
+    {"negative friction of a pair", cloth("") + friction("[\"flag\", \"flag\"]", -0.5),
+     "a.toml:6:12: contact.friction[0].friction = -0.5: must be >= 0"},
+    {"friction twice",
+     k_ball + cloth("") + friction("[\"flag\", \"ball\"]") + friction("[\"ball\", \"flag\"]"),
+     "a.toml:11:11: contact.friction[1].between = [\"ball\", \"flag\"]: must be unique: an earlier "
+     "entry has the same two"},
     {"range the wrong way", cloth("") + "[render]\nrange = [1.2, 0.9]\n",
      "a.toml:5:15: render.range[1] = 0.9: must be > range[0], 1.2"},
     {"camera without target", cloth("") + "[render]\ncamera = { eye = [0, 0, 1] }\n",

@@ -29,6 +29,10 @@ TEST(SceneReader, ReadsEveryKeyOfAFullScene) {
     EXPECT_EQ(scene.scene.frames, 12);
     EXPECT_DOUBLE_EQ(scene.scene.wind.x(), 1.5);
     EXPECT_FALSE(scene.contact.self);
+    ASSERT_EQ(scene.contact.friction.size(), 2u);
+    const FrictionPair expected_pair{{"shirt", "body"}, 0.25, 0.45};
+    EXPECT_EQ(scene.contact.friction[0], expected_pair);
+    EXPECT_EQ(scene.contact.friction[1].static_friction, std::nullopt);
     ASSERT_EQ(scene.cloths.size(), 2u);
     const ClothParams& shirt = scene.cloths[0];
     EXPECT_EQ(shirt.mesh.objects, (std::vector<std::string>{"Front", "Back"}));
@@ -42,6 +46,7 @@ TEST(SceneReader, ReadsEveryKeyOfAFullScene) {
     EXPECT_DOUBLE_EQ(shirt.pressure, 20.0);
     EXPECT_EQ(shirt.fabric.name, "mine");
     EXPECT_DOUBLE_EQ(shirt.fabric.stretch_stiffness[1], 1200.0);
+    EXPECT_EQ(shirt.fabric.static_friction, 0.55);
     ASSERT_EQ(shirt.pins.size(), 4u);
     EXPECT_EQ(shirt.pins[0].vertices, (std::vector<Index>{0, 31}));
     EXPECT_DOUBLE_EQ(shirt.pins[0].until, 2.0);
@@ -80,6 +85,15 @@ TEST(SceneReader, LaysOverridesOverAPreset) {
     expected.area_density = 0.5;
     EXPECT_EQ(preset.name, "denim");
     EXPECT_EQ(altered, expected);
+}
+
+TEST(SceneReader, LetsStaticFrictionFollowUnlessBothAreGiven) {
+    const std::string ball = "[[cloth]]\nname = \"a\"\ngrid = {}\n[[obstacle]]\nname = \"b\"\n"
+                             "shape = \"sphere\"\n";
+
+    EXPECT_EQ(read(ball + "friction = 0.5\n").obstacles[0].static_friction, std::nullopt);
+    EXPECT_EQ(read(ball + "friction = 0.5\nstatic_friction = 0.7\n").obstacles[0].static_friction,
+              0.7);
 }
 
 TEST(SceneReader, AcceptsRefinementThatIsSwitchedOff) {
