@@ -10,6 +10,7 @@
 #include "check.h"
 #include "garments.h"
 #include "isosurface.h"
+#include "plate.h"
 #include "remesh.h"
 
 namespace weft {
@@ -48,6 +49,7 @@ void write_all(const std::filesystem::path& folder) {
     write_garment(folder / "dress.obj", make_dress());
     write_garment(folder / "tablecloth.obj", make_tablecloth());
     write_garment(folder / "flag.obj", make_flag());
+    write_obj(folder / "plate_with_hole.obj", make_plate_with_hole());
 }
 
 } // namespace
