@@ -38,10 +38,6 @@ bool same_pose(const Pose& a, const Pose& b) {
     return a.rotation == b.rotation && a.translation == b.translation;
 }
 
-bool shares_vertex(const Triangle& t, Index v) {
-    return t[0] == v || t[1] == v || t[2] == v;
-}
-
 } // namespace
 
 bool BroadPhase::FittedMotion::operator==(const FittedMotion& other) const {
@@ -177,7 +173,7 @@ void BroadPhase::look_at(const ContactSurface& surface,
     const auto look_at_corners = [&](const Triangle& p, Index p_index, const Triangle& q,
                                      Index q_index) {
         for (std::size_t k = 0; k < 3; ++k) {
-            if (surface.owns_corner(p_index, k) && !shares_vertex(q, p[k]) &&
+            if (surface.owns_corner(p_index, k) && !surface.has_corner(q, p[k]) &&
                 overlap(vertex_boxes_[at(p[k])], triangle_boxes_[at(q_index)])) {
                 add({p[k], q[0], q[1], q[2]}, {q_index, q_index}, PairKind::VertexFace);
             }
@@ -195,7 +191,8 @@ void BroadPhase::look_at(const ContactSurface& surface,
         for (std::size_t j = 0; j < 3; ++j) {
             const Index b0 = b[(j + 1) % 3];
             const Index b1 = b[(j + 2) % 3];
-            if (surface.owns_side(t, j) && a0 != b0 && a0 != b1 && a1 != b0 && a1 != b1 &&
+            if (surface.owns_side(t, j) && !surface.are_one(a0, b0) && !surface.are_one(a0, b1) &&
+                !surface.are_one(a1, b0) && !surface.are_one(a1, b1) &&
                 overlap(box, unite(vertex_boxes_[at(b0)], vertex_boxes_[at(b1)]))) {
                 add({a0, a1, b0, b1}, {s, t}, PairKind::EdgeEdge);
             }

@@ -29,7 +29,8 @@ public:
 
     /// All pairs that may come nearer than their reach while each vertex moves along its line for
     /// `dt`, or ends up to half a thickness aside; in an order that the surface alone determines.
-    /// Pairs that share a vertex, and pairs of infinite masses only, are left out.
+    /// Pairs that share a vertex (see ContactSurface::are_one), and pairs of infinite masses only,
+    /// are left out.
     void find(const ContactSurface& surface, double dt, std::vector<Candidate>& candidates);
 
     /// True while the candidates of the last find() hold for the present velocities.

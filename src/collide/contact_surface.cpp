@@ -182,6 +182,7 @@ ContactSurface make_surface(const World& world, const ContactParams& contact) {
     surface.start.assign(vertices, Vec3::Zero());
     surface.velocity.assign(vertices, Vec3::Zero());
     surface.inverse_mass.assign(vertices, 0.0);
+    join_seams(surface, world);
     return surface;
 }
 
@@ -193,6 +194,7 @@ void place_surface(ContactSurface& surface,
     assert(velocities.size() == at(surface.deformable_vertices) &&
            held.size() == velocities.size());
     assert(world.vertex_count() == velocities.size() && dt > 0.0);
+    join_seams(surface, world);
     parallel_for(velocities.size(), [&](std::size_t i) {
         surface.start[i] = world.positions[i];
         surface.velocity[i] = velocities[i];

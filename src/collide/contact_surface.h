@@ -44,6 +44,9 @@ struct ContactSurface {
     std::vector<std::array<Index, 3>> across;
     /// Vertices joined to vertex v by an edge: ring[ring_begin[v]] to ring[ring_begin[v + 1]].
     std::vector<Index> ring_begin, ring;
+    /// Vertices that a closed seam makes one with vertex v, ascending: joined[joined_begin[v]] to
+    /// joined[joined_begin[v + 1]]. Both empty when there are none.
+    std::vector<Index> joined_begin, joined;
 
     std::vector<Vec3> start;          ///< at the start of the substep, m
     std::vector<Vec3> velocity;       ///< along the substep, m/s
@@ -54,6 +57,15 @@ struct ContactSurface {
     }
     bool owns_side(Index triangle, std::size_t k) const {
         return (owned[static_cast<std::size_t>(triangle)] & (8 << k)) != 0;
+    }
+    /// Is it one vertex to contact: the same, or sewn together?
+    bool are_one(Index a, Index b) const {
+        return a == b || (!joined_begin.empty() && are_joined(a, b));
+    }
+    bool are_joined(Index a, Index b) const;
+    /// Is v, or what it is sewn to, a corner of t?
+    bool has_corner(const Triangle& t, Index v) const {
+        return are_one(t[0], v) || are_one(t[1], v) || are_one(t[2], v);
     }
     bool is_deformable(Index vertex) const { return vertex < deformable_vertices; }
     Index rule_of(Index vertex_a, Index vertex_b) const {
@@ -67,8 +79,12 @@ struct ContactSurface {
 /// sqrt(mu_a mu_b) where it does not speak of them.
 ContactSurface make_surface(const World& world, const ContactParams& contact = {});
 
-/// Sets start, velocity and mass for the substep from world.time to world.time + dt: deformables
-/// move with `velocities` (#V of World), obstacles on the straight line between their places.
+/// Takes from the world which vertices its seams make one now.
+void join_seams(ContactSurface& surface, const World& world);
+
+/// Sets start, velocity, mass and joined vertices for the substep from world.time to world.time +
+/// dt: deformables move with `velocities` (#V of World), obstacles on the straight line between
+/// their places.
 void place_surface(ContactSurface& surface,
                    const World& world,
                    std::span<const Vec3> velocities,

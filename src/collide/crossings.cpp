@@ -16,6 +16,15 @@ std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
 }
 
+SharedCorners shared_corners(const ContactSurface& surface, const Triangle& s, const Triangle& t) {
+    SharedCorners shared;
+    for (std::size_t k = 0; k < 3 && !surface.joined_begin.empty(); ++k) {
+        shared.s[k] = surface.has_corner(t, s[k]);
+        shared.t[k] = surface.has_corner(s, t[k]);
+    }
+    return shared;
+}
+
 ContactProblem
 describe(const ContactSurface& surface, std::span<const Vec3> x, const std::array<Index, 2>& pair) {
     ContactProblem crossing{
@@ -64,8 +73,9 @@ std::vector<std::array<Index, 2>> CrossingSearch::find(const ContactSurface& sur
                 found_[i].clear();
                 BoxTree::overlaps(a, b, tasks_[i], [&](Index s, Index t) {
                     const Index other = first_b + t;
-                    if (triangles_cross(surface.triangles[at(s)], surface.triangles[at(other)],
-                                        positions)) {
+                    const Triangle& one = surface.triangles[at(s)];
+                    const Triangle& two = surface.triangles[at(other)];
+                    if (triangles_cross(one, two, positions, shared_corners(surface, one, two))) {
                         found_[i].push_back({std::min(s, other), std::max(s, other)});
                     }
                 });
@@ -94,6 +104,7 @@ std::vector<ContactProblem> WorldCrossings::find(const World& world, double time
         obstacle_positions(obstacle, time, std::span(surface_.start).subspan(next, count));
         next += count;
     }
+    join_seams(surface_, world);
     std::vector<ContactProblem> crossings;
     for (const auto& pair : search_.find(surface_, surface_.start)) {
         crossings.push_back(describe(surface_, surface_.start, pair));

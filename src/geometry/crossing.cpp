@@ -18,12 +18,14 @@ bool holds(const Triangle& t, Index v) {
 }
 
 /// Corner opposite to the first side of s that meets t and has no vertex in it.
-std::optional<std::size_t>
-piercing_side(const Triangle& s, const Triangle& t, std::span<const Vec3> x) {
+std::optional<std::size_t> piercing_side(const Triangle& s,
+                                         const Triangle& t,
+                                         std::span<const Vec3> x,
+                                         const std::array<bool, 3>& shared = {}) {
     for (std::size_t k = 0; k < 3; ++k) {
         const Index p = s[(k + 1) % 3];
         const Index q = s[(k + 2) % 3];
-        if (!holds(t, p) && !holds(t, q) &&
+        if (!holds(t, p) && !holds(t, q) && !shared[(k + 1) % 3] && !shared[(k + 2) % 3] &&
             segment_meets_triangle(point(x, p), point(x, q), point(x, t[0]), point(x, t[1]),
                                    point(x, t[2]))) {
             return k;
@@ -60,8 +62,12 @@ bool segment_meets_triangle(
     return all_left || all_right;
 }
 
-bool triangles_cross(const Triangle& s, const Triangle& t, std::span<const Vec3> x) {
-    return piercing_side(s, t, x).has_value() || piercing_side(t, s, x).has_value();
+bool triangles_cross(const Triangle& s,
+                     const Triangle& t,
+                     std::span<const Vec3> x,
+                     const SharedCorners& shared) {
+    return piercing_side(s, t, x, shared.s).has_value() ||
+           piercing_side(t, s, x, shared.t).has_value();
 }
 
 Vec3 crossing_place(const Triangle& s, const Triangle& t, std::span<const Vec3> x) {

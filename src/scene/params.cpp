@@ -159,6 +159,18 @@ std::string problem(const ObstacleParams& params) {
     return finding.text();
 }
 
+std::string problem(const AttachParams& params) {
+    Finding finding;
+    finding.not_negative("start", params.start, "s");
+    finding.not_negative("close", params.close, "s");
+    finding.require(params.until > params.start, "until", params.until,
+                    fmt::format("> start, {} s", params.start));
+    finding.positive("strength", params.strength,
+                     params.kind == AttachKind::Seam ? "N/m of seam" : "N");
+    finding.positive("radius", params.radius, "m");
+    return finding.text();
+}
+
 std::string problem(const RenderParams& params) {
     Finding finding;
     for (std::size_t i = 0; i < 2; ++i) {

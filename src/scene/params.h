@@ -148,6 +148,41 @@ struct ObstacleParams {
     bool operator==(const ObstacleParams&) const = default;
 };
 
+/// A vertex by its index, or, without one, the nearest to a place at t = 0.
+struct VertexChoice {
+    Index vertex = k_no_index; ///< of the imported mesh, after welding
+    Vec3 place{0.0, 0.0, 0.0}; ///< m, world
+    bool operator==(const VertexChoice&) const = default;
+};
+
+/// One side of an `[[attach]]`: points of a cloth. Of a seam either `vertices`, or the border from
+/// `from` to `to`; of a button either `vertices`, or `at`, or neither: what is nearest to the other
+/// side.
+struct AttachSide {
+    std::string cloth;
+    std::vector<Index> vertices;
+    std::optional<VertexChoice> from, to;
+    std::optional<VertexChoice> via; ///< on the way; without it the shorter way round the border
+    std::optional<Vec3> at;          ///< m, world, at t = 0: the nearest point of the cloth
+    bool operator==(const AttachSide&) const = default;
+};
+
+enum class AttachKind { Seam, Button };
+
+/// `[[attach]]`: points of cloth pulled together and then held.
+struct AttachParams {
+    std::string name;
+    AttachKind kind = AttachKind::Seam;
+    AttachSide a, b;
+    double start = 0.0;       ///< when it begins to pull, s, >= 0
+    double close = 1.0;       ///< how long it takes to close, s, >= 0
+    double until = k_forever; ///< when it lets go, s
+    double strength = 20.0;   ///< most it pulls while it closes: N a metre of seam, N a button; > 0
+    double radius = 0.05;     ///< how far a place may be from the cloth it stands for, m, > 0
+    bool weld = true;         ///< once closed, held for good; false: pulled by `strength` at most
+    bool operator==(const AttachParams&) const = default;
+};
+
 struct CameraParams {
     Vec3 eye{0.0, 1.0, 3.0};
     Vec3 target{0.0, 0.0, 0.0};
@@ -181,6 +216,7 @@ std::string problem(const FabricParams& params);
 std::string problem(const PinParams& params);
 std::string problem(const ClothParams& params);
 std::string problem(const ObstacleParams& params);
+std::string problem(const AttachParams& params);
 std::string problem(const RenderParams& params);
 
 } // namespace weft

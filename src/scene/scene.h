@@ -14,6 +14,7 @@ struct Scene {
     ContactParams contact;
     std::vector<ClothParams> cloths;
     std::vector<ObstacleParams> obstacles;
+    std::vector<AttachParams> attachments;
     RenderParams render;
 };
 

@@ -73,6 +73,9 @@ std::string check(const World& world) {
             return fmt::format("mass of vertex {} is {}", i, world.masses[i]);
         }
     }
+    if (world.attached_states.size() != world.attached_pairs.size()) {
+        return "arrays of attached pairs have unequal lengths";
+    }
     for (const Cloth& cloth : world.cloths) {
         if (auto problem = check_cloth(world, cloth); !problem.empty()) {
             return problem;
@@ -92,6 +95,7 @@ std::uint64_t state_hash(const World& world) {
     add_vectors(hash, world.velocities);
     add_vectors(hash, world.previous_positions);
     add_vectors(hash, world.previous_velocities);
+    hash.add(std::span<const AttachedState>(world.attached_states));
     return hash.value();
 }
 

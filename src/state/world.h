@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/scene.h"
+#include "state/attachment.h"
 #include "state/cloth.h"
 #include "state/obstacle.h"
 #include "state/pin.h"
@@ -34,6 +35,10 @@ struct World {
     std::vector<Obstacle> obstacles;
     std::vector<Pin> pins; ///< by ascending vertex, each vertex once
     std::vector<PinGroup> pin_groups;
+
+    std::vector<Attachment> attachments;
+    std::vector<AttachedPair> attached_pairs;   ///< by attachment
+    std::vector<AttachedState> attached_states; ///< #attached_pairs
 
     std::size_t vertex_count() const { return positions.size(); }
     std::size_t triangle_count() const;
