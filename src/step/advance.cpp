@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "collide/crossings.h"
+#include "state/update_attachments.h"
 #include "step/held.h"
 #include "step/implicit_step.h"
 
@@ -29,11 +30,12 @@ constexpr double k_greatest_motion = 0.25;
 struct Snapshot {
     double time, history_dt;
     std::vector<Vec3> positions, velocities, previous_positions, previous_velocities;
+    std::vector<AttachedState> attached_states;
 
     explicit Snapshot(const World& world)
         : time(world.time), history_dt(world.history_dt), positions(world.positions),
           velocities(world.velocities), previous_positions(world.previous_positions),
-          previous_velocities(world.previous_velocities) {}
+          previous_velocities(world.previous_velocities), attached_states(world.attached_states) {}
 
     void restore(World& world) const {
         world.time = time;
@@ -42,6 +44,7 @@ struct Snapshot {
         world.velocities = velocities;
         world.previous_positions = previous_positions;
         world.previous_velocities = previous_velocities;
+        world.attached_states = attached_states;
     }
 };
 
@@ -166,6 +169,7 @@ bool Stepper::Impl::substep(World& world, double dt, FrameReport& report) {
 
     // 6. final positions and velocities
     finish(world, dt);
+    update_attachments(world, world.time + dt);
     verify(world, world.time + dt, report);
     return true;
 }

@@ -6,7 +6,7 @@
 
 namespace weft {
 
-/// One kind of element on one cloth, seen alike by the loops below.
+/// One kind of element on one cloth or on all, seen alike by the loops below.
 class ForceSystem::Group {
 public:
     virtual ~Group() = default;
@@ -23,9 +23,11 @@ public:
 
 template <typename Elements> class ForceSystem::GroupOf : public Group {
 public:
-    GroupOf(const Cloth& cloth, Elements elements)
-        : elements_(std::move(elements)), first_(static_cast<std::size_t>(cloth.first_vertex)),
-          count_(static_cast<std::size_t>(cloth.vertex_count)) {}
+    GroupOf(Index first_vertex, std::size_t vertex_count, Elements elements)
+        : elements_(std::move(elements)), first_(static_cast<std::size_t>(first_vertex)),
+          count_(vertex_count) {}
+
+    Elements& elements() { return elements_; }
 
     ElementSet set() const override {
         return {Elements::k_nodes, elements_.nodes(), static_cast<Index>(first_)};
@@ -56,7 +58,17 @@ private:
 
 template <typename Elements> void ForceSystem::add_group(const Cloth& cloth, Elements elements) {
     if (elements.size() > 0) {
-        groups_.push_back(std::make_unique<GroupOf<Elements>>(cloth, std::move(elements)));
+        groups_.push_back(std::make_unique<GroupOf<Elements>>(
+            cloth.first_vertex, static_cast<std::size_t>(cloth.vertex_count), std::move(elements)));
+    }
+}
+
+void ForceSystem::add_attachments(const World& world) {
+    if (!world.attached_pairs.empty()) {
+        auto group = std::make_unique<GroupOf<AttachmentElements>>(0, world.vertex_count(),
+                                                                   AttachmentElements(world));
+        attachments_ = &group->elements();
+        groups_.push_back(std::move(group));
     }
 }
 
@@ -67,6 +79,7 @@ ForceSystem::ForceSystem(const World& world, const SceneParams& params) {
         add_group(cloth, AirElements(cloth, params));
         bendings_.push_back({ConstantBending(cloth), cloth.first_vertex, cloth.vertex_count});
     }
+    add_attachments(world);
     std::vector<ElementSet> sets;
     for (const auto& group : groups_) {
         sets.push_back(group->set());
@@ -91,6 +104,12 @@ ForceSystem::~ForceSystem() = default;
 void ForceSystem::start_substep(std::span<const Vec3> v) {
     for (const auto& group : groups_) {
         group->start_substep(v);
+    }
+}
+
+void ForceSystem::set_attachments(const World& world, double end_time) {
+    if (attachments_ != nullptr) {
+        attachments_->set(world, end_time);
     }
 }
 

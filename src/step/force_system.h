@@ -1,5 +1,6 @@
 #pragma once
 
+#include "forces/attachment_elements.h"
 #include "forces/constant_bending.h"
 #include "forces/element_terms.h"
 #include "state/world.h"
@@ -20,6 +21,9 @@ public:
 
     /// Forces that are linearised once a substep are so from now on at velocities v.
     void start_substep(std::span<const Vec3> v);
+
+    /// Attached pairs pull from now on as in a substep of this world that ends at `end_time` (s).
+    void set_attachments(const World& world, double end_time);
 
     /// Forces (N) at positions x and velocities v, and the element blocks for `assemble`.
     void evaluate(std::span<const Vec3> x,
@@ -43,9 +47,11 @@ private:
     };
 
     template <typename Elements> void add_group(const Cloth& cloth, Elements elements);
+    void add_attachments(const World& world);
     void bending_forces(std::span<const Vec3> x);
 
     std::vector<std::unique_ptr<Group>> groups_; ///< in the order of their element arrays
+    AttachmentElements* attachments_ = nullptr;  ///< within a group; nullptr: none
     std::vector<Bending> bendings_;              ///< after them; blocks constant
     std::unique_ptr<Assembler> assembler_;
     SystemScales scales_;

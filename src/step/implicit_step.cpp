@@ -79,6 +79,7 @@ ImplicitReport ImplicitStep::solve(const World& world,
     ImplicitReport report;
     start(world, resting, dt);
     forces_.start_substep(world.velocities);
+    forces_.set_attachments(world, world.time + dt);
     report.converged = true;
     for (int i = 0; i < params_.newton && report.converged; ++i) {
         if (!newton_iteration(held, i == 0, report)) {

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "forces/element_terms.h"
+#include "state/world.h"
+
+#include <span>
+#include <vector>
+
+namespace weft {
+
+/// A thread between two points of cloth. It pulls, and never pushes, with
+///
+///     T(d) = min(stiffness * max(0, d - rest_gap), limit)
+///
+/// at distance d, and along itself is damped while it is taut.
+struct Thread {
+    double rest_gap = 0.0;  ///< m, >= 0
+    double stiffness = 0.0; ///< N/m; 0: it hangs loose
+    double limit = 0.0;     ///< N; infinite: none
+    double damping = 0.0;   ///< of the change of d beyond that of rest_gap, N s/m
+    double rest_rate = 0.0; ///< of rest_gap, m/s
+};
+
+/// Energy, forces and scales.stiffness * K + scales.damping * D of a thread on the vertices whose
+/// weighted sum (AttachedPair) is its gap. K is the exact Hessian of the energy, which is convex,
+/// so it is positive semidefinite; where the thread reaches its rest gap or limit, the side it
+/// comes from. Forces sum to zero and have no torque.
+///
+/// @param weights sum to 0; 0 for a missing vertex, whose position does not matter
+ElementTerms<6> thread_terms(const std::array<Vec3, 6>& x,
+                             const std::array<Vec3, 6>& v,
+                             const std::array<double, 6>& weights,
+                             const Thread& thread,
+                             SystemScales scales);
+
+/// All attached pairs of a world, with the world's own vertex indices.
+class AttachmentElements {
+public:
+    static constexpr int k_nodes = 6;
+
+    explicit AttachmentElements(const World& world);
+
+    /// Threads as they are in a substep that ends at `end_time` (s).
+    void set(const World& world, double end_time);
+
+    std::size_t size() const { return pairs_.size(); }
+    std::span<const Index> nodes() const { return nodes_; }
+    double energy(std::span<const Vec3> x) const;
+    void
+    forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> element_forces) const;
+    void evaluate(std::span<const Vec3> x,
+                  std::span<const Vec3> v,
+                  SystemScales scales,
+                  std::span<Vec3> element_forces,
+                  std::span<Mat3> element_blocks) const;
+
+private:
+    ElementTerms<6> terms(std::size_t pair,
+                          std::span<const Vec3> x,
+                          std::span<const Vec3> v,
+                          SystemScales scales) const;
+
+    std::vector<AttachedPair> pairs_;
+    std::vector<double> masses_; ///< #pairs, that one end moves against the other, kg
+    std::vector<Index> nodes_;
+    std::vector<Thread> threads_;
+};
+
+} // namespace weft
