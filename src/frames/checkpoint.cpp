@@ -16,7 +16,7 @@ static_assert(std::endian::native == std::endian::little, "checkpoints are littl
 namespace {
 
 constexpr std::array<char, 8> k_magic{'w', 'e', 'f', 't', 'c', 'k', 'p', 't'};
-constexpr std::uint32_t k_version = 1; ///< another layout of the payload: another version
+constexpr std::uint32_t k_version = 2; ///< another layout of the payload: another version
 constexpr int k_level = 1;             ///< positions hardly compress; higher levels only cost time
 
 /// Stands at the head of the file, no padding.
@@ -28,10 +28,11 @@ struct Header {
     double time = 0.0;
     double history_dt = 0.0;
     std::uint64_t vertices = 0;
+    std::uint64_t attached_pairs = 0;
     std::uint64_t compressed_bytes = 0;
     std::uint64_t checksum = 0; ///< of this header with 0 here, then the compressed bytes
 };
-static_assert(sizeof(Header) == 64);
+static_assert(sizeof(Header) == 72);
 
 constexpr std::size_t k_vertex_bytes = 4 * sizeof(Vec3);
 constexpr std::uint64_t k_most_vertices = 1ULL << 31; ///< an Index counts no further
@@ -56,6 +57,8 @@ std::string compress(const Checkpoint& checkpoint) {
         assert(values.size() == checkpoint.positions.size());
         state.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Vec3));
     }
+    state.append(reinterpret_cast<const char*>(checkpoint.attached_states.data()),
+                 checkpoint.attached_states.size() * sizeof(AttachedState));
     std::string compressed(ZSTD_compressBound(state.size()), '\0');
     const std::size_t bytes =
         ZSTD_compress(compressed.data(), compressed.size(), state.data(), state.size(), k_level);
@@ -64,8 +67,10 @@ std::string compress(const Checkpoint& checkpoint) {
     return compressed;
 }
 
-bool decompress(std::string_view compressed, std::size_t vertices, Checkpoint& out) {
-    std::string state(vertices * k_vertex_bytes, '\0');
+bool decompress(std::string_view compressed, const Header& header, Checkpoint& out) {
+    const std::size_t vertices = header.vertices;
+    const std::size_t attached_bytes = header.attached_pairs * sizeof(AttachedState);
+    std::string state(vertices * k_vertex_bytes + attached_bytes, '\0');
     const std::size_t bytes =
         ZSTD_decompress(state.data(), state.size(), compressed.data(), compressed.size());
     if (ZSTD_isError(bytes) || bytes != state.size()) {
@@ -76,6 +81,10 @@ bool decompress(std::string_view compressed, std::size_t vertices, Checkpoint& o
         (out.*array).resize(vertices);
         std::memcpy(static_cast<void*>((out.*array).data()), source, vertices * sizeof(Vec3));
         source += vertices * sizeof(Vec3);
+    }
+    out.attached_states.resize(header.attached_pairs);
+    if (attached_bytes > 0) {
+        std::memcpy(out.attached_states.data(), source, attached_bytes);
     }
     return true;
 }
@@ -94,11 +103,13 @@ Checkpoint make_checkpoint(const World& world, std::uint64_t scene_hash) {
             .positions = world.positions,
             .velocities = world.velocities,
             .previous_positions = world.previous_positions,
-            .previous_velocities = world.previous_velocities};
+            .previous_velocities = world.previous_velocities,
+            .attached_states = world.attached_states};
 }
 
 void restore(const Checkpoint& checkpoint, World& world) {
     assert(checkpoint.positions.size() == world.vertex_count());
+    assert(checkpoint.attached_states.size() == world.attached_states.size());
     world.frame = checkpoint.frame;
     world.time = checkpoint.time;
     world.history_dt = checkpoint.history_dt;
@@ -106,6 +117,7 @@ void restore(const Checkpoint& checkpoint, World& world) {
     world.velocities = checkpoint.velocities;
     world.previous_positions = checkpoint.previous_positions;
     world.previous_velocities = checkpoint.previous_velocities;
+    world.attached_states = checkpoint.attached_states;
 }
 
 std::string encode_checkpoint(const Checkpoint& checkpoint) {
@@ -116,6 +128,7 @@ std::string encode_checkpoint(const Checkpoint& checkpoint) {
     header.time = checkpoint.time;
     header.history_dt = checkpoint.history_dt;
     header.vertices = checkpoint.positions.size();
+    header.attached_pairs = checkpoint.attached_states.size();
     header.compressed_bytes = compressed.size();
     header.checksum = checksum(header, compressed);
     return std::string(reinterpret_cast<const char*>(&header), sizeof header) + compressed;
@@ -137,14 +150,15 @@ std::string decode_checkpoint(std::string_view bytes, Checkpoint& out) {
     if (compressed.size() != header.compressed_bytes) {
         return "truncated";
     }
-    if (checksum(header, compressed) != header.checksum || header.vertices > k_most_vertices) {
+    if (checksum(header, compressed) != header.checksum || header.vertices > k_most_vertices ||
+        header.attached_pairs > k_most_vertices) {
         return "its checksum does not match";
     }
     out.scene_hash = header.scene_hash;
     out.frame = header.frame;
     out.time = header.time;
     out.history_dt = header.history_dt;
-    return decompress(compressed, header.vertices, out) ? "" : "its state cannot be unpacked";
+    return decompress(compressed, header, out) ? "" : "its state cannot be unpacked";
 }
 
 std::uint64_t geometry_hash(const World& start) {
@@ -158,6 +172,10 @@ std::uint64_t geometry_hash(const World& start) {
         for (const RestTriangle& rest : cloth.rest) {
             hash.add(std::span<const double>(rest.inverse_edges.data(), 4));
         }
+    }
+    for (const AttachedPair& pair : start.attached_pairs) {
+        hash.add(std::span<const Index>(pair.vertices));
+        hash.add(std::span<const double>(pair.weights));
     }
     for (const Obstacle& obstacle : start.obstacles) {
         add(hash, obstacle.mesh.positions);

@@ -15,6 +15,7 @@ struct Checkpoint {
     double time = 0.0;
     double history_dt = 0.0;
     std::vector<Vec3> positions, velocities, previous_positions, previous_velocities;
+    std::vector<AttachedState> attached_states;
 };
 
 /// The moving part of a world.
