@@ -17,6 +17,7 @@ namespace {
 struct ValidateOptions {
     std::filesystem::path out;
     std::string only;
+    bool thorough = false;
     bool list = false;
     bool overwrite = false;
     int threads = 0;
@@ -61,9 +62,10 @@ void validate(const ValidateOptions& options, ExitCode& code) {
     }
     check_options(options);
     set_thread_count(options.threads);
-    const ValidationRows rows = run_experiments(options.only, [](const Experiment& experiment) {
+    const auto announce = [](const Experiment& experiment) {
         fmt::print(stderr, "{}: {}\n", experiment.name, experiment.subject);
-    });
+    };
+    const ValidationRows rows = run_experiments(options.only, options.thorough, announce);
     write_atomically(options.out / "validation.md", markdown_text(rows));
     write_atomically(options.out / "validation.csv", csv_text(rows));
     fmt::print("{}", terminal_text(rows));
@@ -83,6 +85,8 @@ void add_validate_command(CLI::App& app, ExitCode& code) {
     verb->add_option("-o,--out", options->out, "folder for the table")->type_name("DIR");
     verb->add_option("--only", options->only, "only experiments whose name contains this")
         ->type_name("NAME");
+    verb->add_flag("--thorough", options->thorough,
+                   "repeat contact and friction on every mesh with every substep");
     verb->add_flag("--list", options->list, "name the experiments and stop");
     verb->add_flag("--overwrite", options->overwrite, "replace the table that is in DIR");
     verb->add_option("-j,--threads", options->threads, "threads; 0 = all cores")

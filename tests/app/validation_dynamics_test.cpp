@@ -46,6 +46,10 @@ TEST(ValidationDynamics, MomentumIsKept) {
     expect_within(validate_momentum());
 }
 
+TEST(ValidationDynamics, SheetsThatCollideKeepTheirMomentum) {
+    expect_within(validate_contact_momentum(false));
+}
+
 TEST(ValidationDynamics, StretchedMembraneSoundsAtItsFrequency) {
     expect_within(validate_membrane_frequency());
 }

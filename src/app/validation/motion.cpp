@@ -87,11 +87,16 @@ double speed_sum(const World& world) {
     return sum;
 }
 
-double free_energy(const World& world) {
+double kinetic_energy(const World& world) {
     double sum = 0.0;
     for (std::size_t i = 0; i < world.vertex_count(); ++i) {
         sum += 0.5 * world.masses[i] * world.velocities[i].squaredNorm();
     }
+    return sum;
+}
+
+double free_energy(const World& world) {
+    double sum = kinetic_energy(world);
     for (const Cloth& cloth : world.cloths) {
         sum += MembraneElements(cloth).energy(world.positions_of(cloth)) +
                ConstantBending(cloth).energy(world.positions_of(cloth));

@@ -41,6 +41,8 @@ Vec3 linear_momentum(const World& world);
 Vec3 angular_momentum(const World& world);
 double speed_sum(const World& world);
 
+double kinetic_energy(const World& world); ///< J
+
 /// Kinetic, membrane and bending energy, J.
 double free_energy(const World& world);
 

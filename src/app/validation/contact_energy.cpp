@@ -1,0 +1,113 @@
+#include "app/validation/contact_scene.h"
+#include "app/validation/experiments.h"
+#include "app/validation/motion.h"
+#include "scene/pose.h"
+#include "state/shapes.h"
+
+#include <fmt/core.h>
+
+/// Energy of cloth that touches resting bodies and itself: kinetic, elastic and of height, looked
+/// at after every substep. Nothing does work on it, so that it can only fall, but for what contact
+/// stores between two substeps.
+namespace weft {
+
+namespace {
+
+constexpr double k_thickness = 1e-3; // m
+constexpr double k_seconds = 1.0;
+
+ClothParams cloth_params() {
+    ClothParams params;
+    params.fabric = isotropic_fabric(500.0, 0.25, 1e-5);
+    params.fabric.thickness = k_thickness;
+    return params;
+}
+
+void add_square(World& world, const SheetMesh& mesh, double side, const Vec3& turn_deg, double y) {
+    const int n = 2 * mesh.cells;
+    const auto flat = lying(Vec2(side, side), Vec3::Zero());
+    const Mat3 turn = rotation_from_degrees(turn_deg);
+    add_cloth(world, fmt::format("sheet{}", world.cloths.size()),
+              make_sheet(mesh.pattern, n, n, side, side), cloth_params(),
+              [&](const Vec2& p) { return Vec3(turn * flat(p) + y * Vec3::UnitY()); });
+}
+
+World sheet_over_sphere(const SheetMesh& mesh) {
+    World world;
+    add_square(world, mesh, 0.3, Vec3(3.0, 10.0, 2.0), 0.15);
+    add_body(world, "sphere", sphere_mesh(0.1), 0.3);
+    return world;
+}
+
+World three_on_the_floor(const SheetMesh& mesh) {
+    World world;
+    for (int k = 0; k < 3; ++k) {
+        add_square(world, mesh, 0.2, Vec3(2.0 * k, 15.0 * k, 1.0), 0.02 * (k + 1));
+    }
+    add_body(world, "floor", plane_mesh(Vec3(2.0, 0.0, 2.0)), 0.3);
+    return world;
+}
+
+World meeting_sheets(const SheetMesh& mesh) {
+    World world;
+    add_square(world, mesh, 0.3, Vec3::Zero(), -0.02);
+    add_square(world, mesh, 0.2, Vec3(4.0, 20.0, 3.0), 0.02);
+    const Cloth& upper = world.cloths[1];
+    for (Index v = upper.first_vertex; v < upper.first_vertex + upper.vertex_count; ++v) {
+        world.velocities[static_cast<std::size_t>(v)] = Vec3(0.2, -1.0, 0.0);
+    }
+    return world;
+}
+
+double energy(const World& world, const Vec3& gravity) {
+    double sum = free_energy(world);
+    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
+        sum -= world.masses[i] * gravity.dot(world.positions[i]);
+    }
+    return sum;
+}
+
+/// The greatest rise of the energy above the least so far, as a share of what is lost in all.
+double greatest_return(World world, int substeps, const Vec3& gravity) {
+    SceneParams space = contact_space(1);
+    space.fps = k_frame_rate * substeps; // a frame is a substep
+    space.gravity = gravity;
+    Stepper stepper(world, space, {});
+    const double start = energy(world, gravity);
+    double least = start;
+    double greatest = 0.0;
+    while (world.time < k_seconds - 1e-9) {
+        stepper.advance_frame(world, {});
+        const double now = energy(world, gravity);
+        greatest = std::max(greatest, now - least);
+        least = std::min(least, now);
+    }
+    return greatest / (start - least);
+}
+
+ValidationRow row(std::string what, const World& world, const Repeat& repeat, double gravity) {
+    return {.what = std::move(what),
+            .measured = greatest_return(world, repeat.substeps, Vec3(0.0, -gravity, 0.0)),
+            .tolerance = 1e-3,
+            .relative = false,
+            .note = fmt::format("{} substeps; {} {} x {}", repeat.substeps,
+                                name_of(repeat.mesh.pattern), 2 * repeat.mesh.cells,
+                                2 * repeat.mesh.cells)};
+}
+
+} // namespace
+
+ValidationRows validate_contact_energy(bool thorough) {
+    ValidationRows rows;
+    for (const Repeat& repeat : few_repeats(thorough)) {
+        rows.push_back(row("energy that came back: sheet falls on a sphere",
+                           sheet_over_sphere(repeat.mesh), repeat, k_gravity));
+        rows.push_back(row("energy that came back: three sheets fall on a floor",
+                           three_on_the_floor(repeat.mesh), repeat, k_gravity));
+        rows.push_back(row("energy that came back: two sheets meet in empty space",
+                           meeting_sheets(repeat.mesh), repeat, 0.0));
+    }
+    return rows;
+}
+
+} // namespace weft
