@@ -55,4 +55,16 @@ inline bool overlap(const Box& a, const Box& b) {
                              int(a.low[2] <= b.high[2]) & int(b.low[2] <= a.high[2]));
 }
 
+/// Square of the distance (m^2) from a point to a box; 0 inside.
+inline double distance_squared(const Box& box, const Vec3& p) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double x = p[static_cast<Eigen::Index>(k)];
+        const double outside = std::max(
+            {0.0, static_cast<double>(box.low[k]) - x, x - static_cast<double>(box.high[k])});
+        sum += outside * outside;
+    }
+    return sum;
+}
+
 } // namespace weft

@@ -29,6 +29,11 @@ public:
     /// Calls f(item) for each item whose box meets `box`.
     template <typename F> void query(const Box& box, const F& f) const;
 
+    /// Calls f(item) for each item whose box is nearer to `p` than the square root of `limit`
+    /// (m^2); f may lower `limit`, so that what is further away is passed over. The side of p comes
+    /// first.
+    template <typename F> void near(const Vec3& p, double& limit, const F& f) const;
+
     /// A pair of nodes whose items are still to be compared.
     using Task = std::pair<Index, Index>;
 
@@ -92,6 +97,34 @@ template <typename F> void BoxTree::query(const Box& box, const F& f) const {
                 f(items_[at(slot)]);
             }
         }
+    }
+}
+
+template <typename F> void BoxTree::near(const Vec3& p, double& limit, const F& f) const {
+    if (empty()) {
+        return;
+    }
+    std::array<Index, 64> stack;
+    std::size_t top = 0;
+    stack[top++] = 0;
+    while (top > 0) {
+        const Index i = stack[--top];
+        const Node& n = node(i);
+        if (distance_squared(n.box, p) >= limit) {
+            continue;
+        }
+        if (n.is_leaf()) {
+            for (Index slot = n.first(); slot < n.first() + n.count; ++slot) {
+                if (distance_squared(boxes_[at(slot)], p) < limit) {
+                    f(items_[at(slot)]);
+                }
+            }
+            continue;
+        }
+        const bool left_is_nearer =
+            distance_squared(node(i + 1).box, p) <= distance_squared(node(n.right).box, p);
+        stack[top++] = left_is_nearer ? n.right : i + 1;
+        stack[top++] = left_is_nearer ? i + 1 : n.right;
     }
 }
 

@@ -3,7 +3,9 @@
 #include "geometry/predicates.h"
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
+#include <vector>
 
 namespace weft {
 
@@ -17,17 +19,22 @@ bool holds(const Triangle& t, Index v) {
     return t[0] == v || t[1] == v || t[2] == v;
 }
 
+/// Does the side of s opposite to corner k meet t, with no vertex in it?
+bool side_pierces(const Triangle& s, std::size_t k, const Triangle& t, std::span<const Vec3> x) {
+    const Index p = s[(k + 1) % 3];
+    const Index q = s[(k + 2) % 3];
+    return !holds(t, p) && !holds(t, q) &&
+           segment_meets_triangle(point(x, p), point(x, q), point(x, t[0]), point(x, t[1]),
+                                  point(x, t[2]));
+}
+
 /// Corner opposite to the first side of s that meets t and has no vertex in it.
 std::optional<std::size_t> piercing_side(const Triangle& s,
                                          const Triangle& t,
                                          std::span<const Vec3> x,
                                          const std::array<bool, 3>& shared = {}) {
     for (std::size_t k = 0; k < 3; ++k) {
-        const Index p = s[(k + 1) % 3];
-        const Index q = s[(k + 2) % 3];
-        if (!holds(t, p) && !holds(t, q) && !shared[(k + 1) % 3] && !shared[(k + 2) % 3] &&
-            segment_meets_triangle(point(x, p), point(x, q), point(x, t[0]), point(x, t[1]),
-                                   point(x, t[2]))) {
+        if (!shared[(k + 1) % 3] && !shared[(k + 2) % 3] && side_pierces(s, k, t, x)) {
             return k;
         }
     }
@@ -68,6 +75,32 @@ bool triangles_cross(const Triangle& s,
                      const SharedCorners& shared) {
     return piercing_side(s, t, x, shared.s).has_value() ||
            piercing_side(t, s, x, shared.t).has_value();
+}
+
+std::array<Vec3, 2>
+crossing_segment(const Triangle& s, const Triangle& t, std::span<const Vec3> x) {
+    std::vector<Vec3> places;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (side_pierces(s, k, t, x)) {
+            places.push_back(place_on_side(s, k, t, x));
+        }
+        if (side_pierces(t, k, s, x)) {
+            places.push_back(place_on_side(t, k, s, x));
+        }
+        if (holds(t, s[k])) {
+            places.push_back(point(x, s[k])); // neighbours cross from the corner that they share
+        }
+    }
+    assert(!places.empty());
+    std::array<Vec3, 2> ends{places[0], places[0]};
+    for (const Vec3& a : places) {
+        for (const Vec3& b : places) {
+            if ((a - b).squaredNorm() > (ends[0] - ends[1]).squaredNorm()) {
+                ends = {a, b};
+            }
+        }
+    }
+    return ends;
 }
 
 Vec3 crossing_place(const Triangle& s, const Triangle& t, std::span<const Vec3> x) {

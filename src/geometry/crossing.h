@@ -28,4 +28,8 @@ bool triangles_cross(const Triangle& s,
 /// A point that two crossing triangles share, to within rounding, m.
 Vec3 crossing_place(const Triangle& s, const Triangle& t, std::span<const Vec3> x);
 
+/// The ends of the segment that two crossing triangles share, to within rounding, m. They
+/// must cross (asserted).
+std::array<Vec3, 2> crossing_segment(const Triangle& s, const Triangle& t, std::span<const Vec3> x);
+
 } // namespace weft

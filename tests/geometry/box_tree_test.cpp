@@ -109,4 +109,24 @@ TEST(BoxTree, OfNothingMeetsNothing) {
     EXPECT_TRUE(by_trees(none, none).empty());
 }
 
+TEST(BoxTree, NearFindsTheNearestBoxLikeALoopOverAll) {
+    const std::vector<Box> boxes = random_boxes(300, 8);
+    const BoxTree tree{std::span<const Box>(boxes)};
+    std::mt19937 engine(4);
+    std::uniform_real_distribution<double> unit(-2.0, 2.0);
+
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 p(unit(engine), unit(engine), unit(engine));
+        double least = std::numeric_limits<double>::infinity();
+        for (const Box& box : boxes) {
+            least = std::min(least, distance_squared(box, p));
+        }
+        double limit = std::numeric_limits<double>::infinity();
+        tree.near(p, limit, [&](Index item) {
+            limit = std::min(limit, distance_squared(boxes[static_cast<std::size_t>(item)], p));
+        });
+        EXPECT_EQ(limit, least);
+    }
+}
+
 } // namespace weft

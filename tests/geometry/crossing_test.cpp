@@ -101,4 +101,38 @@ TEST(TrianglesCross, PlaceLiesInBoth) {
     EXPECT_LT(separation(PairKind::VertexFace, {place, x[3], x[4], x[5]}).distance, 1e-12);
 }
 
+TEST(CrossingSegment, EndsOnBothTriangles) {
+    std::mt19937 engine(21);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    int crossing = 0;
+
+    for (int i = 0; i < 500; ++i) {
+        std::vector<Vec3> x;
+        for (int k = 0; k < 6; ++k) {
+            x.emplace_back(unit(engine), unit(engine), unit(engine));
+        }
+        if (!triangles_cross({0, 1, 2}, {3, 4, 5}, x)) {
+            continue;
+        }
+        ++crossing;
+        const auto ends = crossing_segment({0, 1, 2}, {3, 4, 5}, x);
+        for (const Vec3& end : ends) {
+            const auto to_s = separation(PairKind::VertexFace, {end, x[0], x[1], x[2]});
+            const auto to_t = separation(PairKind::VertexFace, {end, x[3], x[4], x[5]});
+            EXPECT_LT(std::max(to_s.distance, to_t.distance), 1e-9) << i;
+        }
+        EXPECT_GT((ends[0] - ends[1]).norm(), 0.0) << i;
+    }
+    EXPECT_GT(crossing, 30);
+}
+
+TEST(CrossingSegment, OfNeighboursBeginsAtTheCornerThatTheyShare) {
+    const std::vector<Vec3> x{{0, 0, 0}, {2, 0, -1}, {2, 0, 1}, {1, 1, 0}, {1, -1, 0}};
+
+    const auto ends = crossing_segment({0, 1, 2}, {0, 3, 4}, x);
+
+    EXPECT_NEAR((ends[0] - ends[1]).norm(), 1.0, 1e-12);
+    EXPECT_TRUE(ends[0].isZero(1e-12) || ends[1].isZero(1e-12));
+}
+
 } // namespace weft
