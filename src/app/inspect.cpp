@@ -18,6 +18,7 @@ struct InspectOptions {
     std::vector<std::string> objects;
     bool repair = false;
     bool as_cloth = false;
+    StartInspection start;
 };
 
 /// Metres of "m", "cm", "mm", "in" or a number of metres.
@@ -56,12 +57,21 @@ InspectReport describe(const InspectOptions& options, const std::string& file) {
         return describe_run(path);
     }
     if (path.extension() == ".toml") {
-        return describe_scene(path);
+        return describe_scene(path, options.start);
     }
     return describe_mesh_file(path, source_of(options, file), options.as_cloth);
 }
 
 void inspect(const InspectOptions& options, ExitCode& code) {
+    const bool is_one_scene =
+        options.files.size() == 1 && std::filesystem::path(options.files[0]).extension() == ".toml";
+    if (!options.start.ply.empty() && !is_one_scene) {
+        throw Error(
+            ExitCode::CommandLine,
+            fmt::format("-o {}: must go with one scene (.toml), whose crossing triangles it "
+                        "gets",
+                        options.start.ply.string()));
+    }
     bool is_first = true;
     for (const std::string& file : options.files) {
         const InspectReport report = describe(options, file);
@@ -87,6 +97,11 @@ void add_inspect_command(CLI::App& app, ExitCode& code) {
     verb->add_option("--object", options->objects, "only this node or mesh (repeatable)");
     verb->add_flag("--repair", options->repair, "drop degenerate and double triangles first");
     verb->add_flag("--cloth", options->as_cloth, "refuse what only cloth refuses too");
+    verb->add_flag("--pairs", options->start.all_pairs,
+                   "of a scene: list every pair of triangles that cross at the start");
+    verb->add_option("-o,--out", options->start.ply,
+                     "of a scene: write the triangles that cross at the start as a PLY")
+        ->type_name("FILE.ply");
     verb->callback([options, &code] { inspect(*options, code); });
 }
 

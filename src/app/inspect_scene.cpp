@@ -37,7 +37,7 @@ std::string describe_obstacle(const ObstacleParams& obstacle) {
 
 } // namespace
 
-InspectReport describe_scene(const std::filesystem::path& file) {
+InspectReport describe_scene(const std::filesystem::path& file, const StartInspection& wanted) {
     SummaryLines sheet;
     sheet.text = file.string() + "\n";
     InspectReport report;
@@ -60,9 +60,18 @@ InspectReport describe_scene(const std::filesystem::path& file) {
                 add_mesh(scene, obstacle.mesh, false, report);
             }
         }
+        if (!report.is_refused) {
+            const InspectReport start = describe_start(scene, wanted);
+            report.text += start.text;
+            report.is_refused = start.is_refused;
+        }
     } catch (const Error& error) {
-        sheet.row("REFUSED", "{}", error.what());
-        return {sheet.text, true};
+        if (error.code() != ExitCode::BadInput) {
+            throw;
+        }
+        SummaryLines refusal;
+        refusal.row("REFUSED", "{}", error.what());
+        return {(report.text.empty() ? sheet.text : report.text) + refusal.text, true};
     }
     return report;
 }

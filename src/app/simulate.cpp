@@ -1,11 +1,14 @@
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/signals.h"
 #include "app/simulation.h"
 #include "app/summary.h"
 #include "base/parallel.h"
+#include "base/stopwatch.h"
 #include "frames/acceptance.h"
 #include "frames/status.h"
 #include "scene/scene_writer.h"
+#include "step/start_overlap.h"
 
 #include <CLI/CLI.hpp>
 
@@ -27,6 +30,44 @@ FolderMode folder_mode(const CommonOptions& options) {
                                : FolderMode::Fresh;
 }
 
+/// Prints what would be simulated; refuses what would be refused at once.
+ExitCode describe_start(const Scene& scene, World& world) {
+    const bool cures = scene.contact.start_overlap != StartOverlap::Error;
+    if (!cures) {
+        cure_start_overlap(world, scene, [] { return false; });
+    }
+    fmt::print("{}", summarise(scene, world));
+    const std::vector<CrossingPair> pairs = crossings_of_contact(world, scene.contact);
+    if (!pairs.empty()) {
+        fmt::print("start: {}\n", describe_crossings(pairs));
+    }
+    return ExitCode::Done;
+}
+
+std::string describe_cure(const StartOverlapReport& report) {
+    return fmt::format("start: {} pairs of triangles crossed, now none: cloth was moved by at most "
+                       "{:.3g} m in {} rounds",
+                       report.pairs_before, report.greatest_way, report.rounds);
+}
+
+/// Cures what overlaps at the start and says what that took, also into `told`. False: asked to stop
+/// meanwhile.
+bool start(const Scene& scene, World& world, double time_limit, std::vector<std::string>& told) {
+    const StopSignals signals;
+    const Stopwatch watch;
+    const auto report = cure_start_overlap(
+        world, scene, [&] { return StopSignals::received() != 0 || watch.seconds() > time_limit; });
+    if (!report) {
+        warn("stopped before the first frame: nothing was written");
+        return false;
+    }
+    if (report->pairs_before > 0) {
+        told.push_back(describe_cure(*report));
+        spdlog::info("{} ({:.2f} s)", told.back(), watch.seconds());
+    }
+    return true;
+}
+
 ExitCode simulate_scene(const SimulateOptions& options, const Scene& scene) {
     const CommonOptions& common = options.common;
     const FolderMode mode = folder_mode(common);
@@ -34,21 +75,22 @@ ExitCode simulate_scene(const SimulateOptions& options, const Scene& scene) {
         check_run_folder(common.out, mode);
     }
     set_thread_count(common.threads);
-    std::vector<std::string> warnings;
+    std::vector<std::string> told;
     World world = build_world(scene, [&](const std::string& line) {
         warn("{}", line);
-        warnings.push_back(line);
+        told.push_back(line);
     });
-    refuse_crossings(world, scene.contact);
     if (common.dry_run) {
-        fmt::print("{}", summarise(scene, world));
-        return ExitCode::Done;
+        return describe_start(scene, world);
+    }
+    if (!start(scene, world, options.time_limit, told)) {
+        return ExitCode::Stopped;
     }
     const RunFolder folder(common.out, mode);
     open_log(common.verbosity(), folder.paths().log());
     spdlog::debug("weft {}: {} frames into {}", program_version(), scene.scene.frames,
                   folder.paths().folder.string());
-    for (const std::string& line : warnings) {
+    for (const std::string& line : told) {
         spdlog::debug("{}", line); // the terminal has seen it already
     }
     return simulate(scene, world, folder,

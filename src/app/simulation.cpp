@@ -5,7 +5,6 @@
 #include "app/signals.h"
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "collide/contact.h"
 #include "frames/acceptance.h"
 #include "frames/checkpoint_folder.h"
 #include "frames/resume.h"
@@ -226,23 +225,6 @@ bool Simulation::should_stop() const {
 }
 
 } // namespace
-
-void refuse_crossings(const World& world, const ContactParams& contact) {
-    if (!contact.enabled) {
-        return;
-    }
-    constexpr std::size_t k_limit = 1000;
-    const auto crossings = find_crossings(world, k_limit);
-    if (crossings.empty()) {
-        return;
-    }
-    const CrossingPair& first = crossings.front();
-    fail_input("{}: triangle {} crosses {} triangle {} at ({:.4g}, {:.4g}, {:.4g}) m ({}{} pairs "
-               "cross at the start): must be apart, or set contact.enabled = false",
-               first.object_a, first.triangle_a, first.object_b, first.triangle_b, first.place.x(),
-               first.place.y(), first.place.z(), crossings.size() < k_limit ? "" : "at least ",
-               crossings.size());
-}
 
 ExitCode simulate(const Scene& scene,
                   World& world,

@@ -15,9 +15,6 @@ struct SimulationOptions {
     Verbosity verbosity = Verbosity::Normal;
 };
 
-/// Throws Error (BadInput) naming the first pair when cloth crosses something at the start.
-void refuse_crossings(const World& world, const ContactParams& contact);
-
 /// Simulates a scene into its folder, from the beginning or from the folder's newest checkpoint,
 /// drawing the frames that were asked for meanwhile.
 ///

@@ -55,8 +55,9 @@ ContactParams read_contact(TomlTable table,
                            const std::vector<std::string>& cloths,
                            const std::vector<std::string>& obstacles) {
     ContactParams params;
-    table.read_choice("start_overlap", params.start_overlap, {{"error", StartOverlap::Error}},
-                      {"grow", "untangle"});
+    table.read_choice("start_overlap", params.start_overlap,
+                      {{"error", StartOverlap::Error}, {"untangle", StartOverlap::Untangle}},
+                      {"grow"});
     table.read("self", params.self);
     table.read("enabled", params.enabled);
     for (TomlTable& entry : table.tables("friction")) {

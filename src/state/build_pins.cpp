@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numbers>
 #include <numeric>
 
@@ -164,6 +165,25 @@ void build_pins(World& world) {
     std::stable_sort(world.pins.begin(), world.pins.end(), by_vertex);
     world.pins.erase(std::unique(world.pins.begin(), world.pins.end(), same_vertex),
                      world.pins.end());
+}
+
+void hold_pins_here(World& world) {
+    assert(world.time == 0.0);
+    parallel_for(
+        world.pins.size(),
+        [&](std::size_t i) {
+            Pin& pin = world.pins[i];
+            const Vec3& x = world.positions[static_cast<std::size_t>(pin.vertex)];
+            if (pin.start == x) {
+                return;
+            }
+            pin.start = x;
+            if (pin.anchor.obstacle != k_no_index) {
+                const auto obstacle = static_cast<std::size_t>(pin.anchor.obstacle);
+                pin.anchor = anchor_to(world.obstacles[obstacle], pin.anchor.obstacle, x);
+            }
+        },
+        1);
 }
 
 } // namespace weft

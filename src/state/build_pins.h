@@ -16,4 +16,8 @@ std::vector<Index> select_pinned(const Cloth& cloth,
 /// vertex the first holds it.
 void build_pins(World& world);
 
+/// Lets the pins hold their vertices, and follow what they follow, from where the vertices are now
+/// instead of where they were imported. At t = 0 only.
+void hold_pins_here(World& world);
+
 } // namespace weft

@@ -92,9 +92,10 @@ TEST(Inspect, ASceneListsItsObjectsAndTheirMeshes) {
     const test::TempFolder folder;
     test::write_file(folder / "cloth.obj", k_square);
     test::write_file(folder / "fin.obj", k_square + "v 0 0 1\nf 1 3 5\n");
-    const auto good = test::write_file(folder / "good.toml",
-                                       "[[cloth]]\nname = \"flag\"\nmesh = \"cloth.obj\"\n"
-                                       "[[obstacle]]\nname = \"fin\"\nmesh = \"fin.obj\"\n");
+    const auto good =
+        test::write_file(folder / "good.toml", "[[cloth]]\nname = \"flag\"\nmesh = \"cloth.obj\"\n"
+                                               "[[obstacle]]\nname = \"fin\"\nmesh = \"fin.obj\"\n"
+                                               "translate = [0.0, 0.0, -2.0]\n");
     const auto bad =
         test::write_file(folder / "bad.toml", "[[cloth]]\nname = \"flag\"\nmesh = \"fin.obj\"\n");
 
@@ -119,6 +120,53 @@ TEST(Inspect, ARunShowsHowFarItCameAndItsExtremes) {
     EXPECT_TRUE(has(report.text, "stretch_max               1.125            1         1.25"))
         << report.text;
     EXPECT_TRUE(describe_run(folder / "nothing").is_refused);
+}
+
+TEST(Inspect, ListsWhatCrossesAtTheStartOfASceneAndWritesItAsAPly) {
+    const test::TempFolder folder;
+    const std::string text = "[[cloth]]\nname = 'flag'\ngrid = { cells = [8, 8] }\n"
+                             "[[obstacle]]\nname = 'ball'\nshape = 'sphere'\nradius = 0.2\n";
+    const auto scene = test::write_file(folder / "s.toml", text);
+
+    const InspectReport report = describe_scene(scene, {.ply = folder / "c.ply"});
+
+    EXPECT_TRUE(report.is_refused);
+    for (const char* words :
+         {"pairs of triangles cross", "flag and ball: ", "flag triangle ", "ball triangle ",
+          "more: --pairs lists all", "\"untangle\"", "c.ply"}) {
+        EXPECT_TRUE(has(report.text, words)) << words << " is not in\n" << report.text;
+    }
+    std::ifstream stream(folder / "c.ply");
+    const std::string ply{std::istreambuf_iterator<char>(stream), {}};
+    EXPECT_TRUE(has(ply, "element face ")) << ply.substr(0, 500);
+    EXPECT_TRUE(has(ply, "element edge "));
+    EXPECT_FALSE(has(ply, "nan"));
+}
+
+TEST(Inspect, OfASceneThatUntanglesRefusesNothingAndListsEveryPairWhenAsked) {
+    const test::TempFolder folder;
+    const std::string text = "[contact]\nstart_overlap = 'untangle'\n"
+                             "[[cloth]]\nname = 'flag'\ngrid = { cells = [8, 8] }\n"
+                             "[[obstacle]]\nname = 'ball'\nshape = 'sphere'\nradius = 0.2\n";
+    const auto scene = test::write_file(folder / "s.toml", text);
+
+    const InspectReport report = describe_scene(scene, {.all_pairs = true});
+
+    EXPECT_FALSE(report.is_refused) << report.text;
+    EXPECT_FALSE(has(report.text, "--pairs")) << report.text;
+    EXPECT_EQ(run_inspect(scene.string() + " " + scene.string() + " -o x.ply", folder / "o.txt"),
+              2);
+}
+
+TEST(Inspect, SaysThatNothingCrosses) {
+    const test::TempFolder folder;
+    const auto scene = test::write_file(folder / "s.toml",
+                                        "[[cloth]]\nname = 'flag'\ngrid = { cells = [8, 8] }\n");
+
+    const InspectReport report = describe_scene(scene);
+
+    EXPECT_FALSE(report.is_refused);
+    EXPECT_TRUE(has(report.text, "nothing crosses")) << report.text;
 }
 
 } // namespace weft

@@ -170,7 +170,8 @@ const std::vector<Broken> k_not_yet{
     {"sequences", "[[obstacle]]\nname = \"b\"\nsequence = \"b.####.obj\"\n" + cloth(""),
      "a.toml:3:12: obstacle[0].sequence: not there yet"},
     {"growing", "[contact]\nstart_overlap = \"grow\"\n" + cloth(""),
-     "a.toml:2:17: contact.start_overlap = \"grow\": not there yet; must be \"error\""},
+     "a.toml:2:17: contact.start_overlap = \"grow\": not there yet; must be \"error\" "
+     "or \"untangle\""},
     {"levels", cloth("") + "[render]\nquantity = \"level\"\n",
      "a.toml:5:12: render.quantity = \"level\": not there yet; must be \"stretch\", "
      "\"strain_weft\", \"strain_warp\", \"shear\", \"stress\", \"curvature\" or \"speed\""},

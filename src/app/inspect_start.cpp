@@ -1,0 +1,90 @@
+#include "app/inspect_start.h"
+
+#include "app/crossing_ply.h"
+#include "app/summary_lines.h"
+#include "base/atomic_file.h"
+#include "collide/crossings.h"
+#include "step/start_overlap.h"
+
+#include <map>
+
+namespace weft {
+
+namespace {
+
+/// Pairs listed of each two objects; the count tells of the rest.
+constexpr std::size_t k_listed = 5;
+
+std::string name_of(const World& world, Index object) {
+    const auto i = static_cast<std::size_t>(object);
+    return i < world.cloths.size() ? world.cloths[i].name
+                                   : world.obstacles[i - world.cloths.size()].name;
+}
+
+using Couples = std::map<std::array<Index, 2>, std::vector<ContactProblem>>;
+
+void list_pairs(const World& world, const Couples& couples, bool all, SummaryLines& sheet) {
+    for (const auto& [objects, pairs] : couples) {
+        const std::string a = name_of(world, objects[0]);
+        const std::string b = name_of(world, objects[1]);
+        if (objects[0] == objects[1]) {
+            sheet.row("", "{}: {} with itself", a, plural(pairs.size(), "pair"));
+        } else {
+            sheet.row("", "{} and {}: {}", a, b, plural(pairs.size(), "pair"));
+        }
+        const std::size_t listed = all ? pairs.size() : std::min(pairs.size(), k_listed);
+        for (const ContactProblem& pair : std::span(pairs).first(listed)) {
+            sheet.row("", "  {} triangle {:<6} {} triangle {:<6} at ({:.4f}, {:.4f}, {:.4f}) m", a,
+                      pair.triangles[0], b, pair.triangles[1], pair.place.x(), pair.place.y(),
+                      pair.place.z());
+        }
+        if (listed < pairs.size()) {
+            sheet.row("", "  and {} more: --pairs lists all", pairs.size() - listed);
+        }
+    }
+}
+
+const char* what_is_done(StartOverlap way) {
+    switch (way) {
+    case StartOverlap::Grow:
+        return "contact.start_overlap = \"grow\" will part them";
+    case StartOverlap::Untangle:
+        return "contact.start_overlap = \"untangle\" will part them";
+    case StartOverlap::Error:
+        break;
+    }
+    return "must be apart, or contact.start_overlap = \"untangle\" or \"grow\"";
+}
+
+} // namespace
+
+InspectReport describe_start(const Scene& scene, const StartInspection& wanted) {
+    InspectReport report;
+    SummaryLines sheet;
+    const World world = build_world(scene, [](const std::string&) {});
+    if (!scene.contact.enabled) {
+        sheet.row("start", "contact is off: what crosses does not matter");
+        return {sheet.text, false};
+    }
+    const auto pairs = WorldCrossings(world, scene.contact.self).find(world, world.time);
+    if (pairs.empty()) {
+        sheet.row("start", "nothing crosses");
+    } else {
+        Couples couples;
+        for (const ContactProblem& pair : pairs) {
+            couples[pair.objects].push_back(pair);
+        }
+        report.is_refused = scene.contact.start_overlap == StartOverlap::Error;
+        sheet.row(report.is_refused ? "REFUSED" : "start", "{} of triangles cross: {}",
+                  plural(pairs.size(), "pair"), what_is_done(scene.contact.start_overlap));
+        list_pairs(world, couples, wanted.all_pairs, sheet);
+    }
+    if (!wanted.ply.empty()) {
+        write_atomically(wanted.ply, std::string_view(encode_crossings(world, pairs)));
+        sheet.row("written", "{}: the triangles that cross, and where", wanted.ply.string());
+    }
+    report.text = sheet.text;
+    return report;
+}
+
+} // namespace weft
