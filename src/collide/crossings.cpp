@@ -41,6 +41,15 @@ describe(const ContactSurface& surface, std::span<const Vec3> x, const std::arra
 
 } // namespace
 
+bool triangles_cross(const ContactSurface& surface,
+                     Index s,
+                     Index t,
+                     std::span<const Vec3> positions) {
+    const Triangle& one = surface.triangles[at(s)];
+    const Triangle& two = surface.triangles[at(t)];
+    return triangles_cross(one, two, positions, shared_corners(surface, one, two));
+}
+
 CrossingSearch::CrossingSearch(const ContactSurface& surface, bool self)
     : self_(self), boxes_(surface.triangles.size()) {}
 
@@ -73,9 +82,7 @@ std::vector<std::array<Index, 2>> CrossingSearch::find(const ContactSurface& sur
                 found_[i].clear();
                 BoxTree::overlaps(a, b, tasks_[i], [&](Index s, Index t) {
                     const Index other = first_b + t;
-                    const Triangle& one = surface.triangles[at(s)];
-                    const Triangle& two = surface.triangles[at(other)];
-                    if (triangles_cross(one, two, positions, shared_corners(surface, one, two))) {
+                    if (triangles_cross(surface, s, other, positions)) {
                         found_[i].push_back({std::min(s, other), std::max(s, other)});
                     }
                 });

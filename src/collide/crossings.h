@@ -6,6 +6,13 @@
 
 namespace weft {
 
+/// Do two triangles of the surface cross at `positions`? Those that share a corner, or are sewn
+/// together in one, only where they do beyond it. Exact.
+bool triangles_cross(const ContactSurface& surface,
+                     Index s,
+                     Index t,
+                     std::span<const Vec3> positions);
+
 /// Exact search for crossing triangles; keeps its trees between calls.
 class CrossingSearch {
 public:

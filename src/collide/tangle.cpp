@@ -1,7 +1,7 @@
 #include "collide/tangle.h"
 
 #include "base/parallel.h"
-#include "geometry/crossing.h"
+#include "collide/crossings.h"
 
 #include <tuple>
 
@@ -98,7 +98,6 @@ void NearPairSearch::gather(const Tangle& tangle,
     }
     BoxTree::split(a, b, k_tasks, tasks_);
     found_.resize(std::max(found_.size(), tasks_.size()));
-    const auto& triangles = tangle.surface.triangles;
     parallel_for(
         tasks_.size(),
         [&](std::size_t i) {
@@ -107,8 +106,7 @@ void NearPairSearch::gather(const Tangle& tangle,
                 const Index first = moving_[at(s)];
                 const Index second = of_b[at(t)];
                 found_[i].push_back(
-                    {first, second,
-                     triangles_cross(triangles[at(first)], triangles[at(second)], tangle.x)});
+                    {first, second, triangles_cross(tangle.surface, first, second, tangle.x)});
             });
         },
         1);

@@ -12,9 +12,8 @@ std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
 }
 
-bool share_vertex(const Triangle& s, const Triangle& t) {
-    return std::any_of(s.begin(), s.end(),
-                       [&](Index v) { return v == t[0] || v == t[1] || v == t[2]; });
+bool share_vertex(const ContactSurface& surface, const Triangle& s, const Triangle& t) {
+    return std::any_of(s.begin(), s.end(), [&](Index v) { return surface.has_corner(t, v); });
 }
 
 double room_between(const Tangle& tangle, Index vertex_a, Index vertex_b, double share) {
@@ -73,7 +72,7 @@ void add_contour_push(
     const auto f = tangle.corners(t);
     const Vec3& xp = tangle.x[at(p)];
     const Vec3& xq = tangle.x[at(q)];
-    const bool shares = share_vertex({p, q, p}, face);
+    const bool shares = share_vertex(tangle.surface, {p, q, p}, face);
     if (!tangle.surface.owns_side(s, k) || shares ||
         !segment_meets_triangle(xp, xq, f[0], f[1], f[2])) {
         return;
@@ -130,8 +129,9 @@ void find_room_pushes(const Tangle& tangle,
                       double room,
                       std::vector<Push>& pushes) {
     for (const NearPair& pair : pairs) {
-        const bool neighbours = share_vertex(tangle.surface.triangles[at(pair.first)],
-                                             tangle.surface.triangles[at(pair.second)]);
+        const bool neighbours =
+            share_vertex(tangle.surface, tangle.surface.triangles[at(pair.first)],
+                         tangle.surface.triangles[at(pair.second)]);
         if (!pair.crosses && !neighbours) {
             add_vertex_faces(tangle, pair.first, pair.second, room, pushes);
             add_vertex_faces(tangle, pair.second, pair.first, room, pushes);
