@@ -50,6 +50,22 @@ void fill_rounded(Image& image, const Rect& rect, double radius, const Colour& s
     });
 }
 
+void draw_ring(Image& image,
+               const std::array<double, 2>& centre,
+               double radius,
+               double width,
+               const Colour& srgb) {
+    const double outer = radius + 0.5 * width;
+    const Rect box{centre[0] - outer, centre[1] - outer, 2.0 * outer, 2.0 * outer};
+    if (box.right() < 0.0 || box.bottom() < 0.0 || box.x > image.width || box.y > image.height) {
+        return; // far away, its pixels have no numbers
+    }
+    fill(image, box, srgb, 1.0, [&](double x, double y) {
+        const double r = std::hypot(x - centre[0], y - centre[1]);
+        return std::abs(r - radius) <= 0.5 * width;
+    });
+}
+
 void fill_triangle(Image& image,
                    const std::array<std::array<double, 2>, 3>& corners,
                    const Colour& srgb,

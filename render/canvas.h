@@ -25,6 +25,13 @@ void blend(Image& image, int x, int y, const Colour& srgb, double share);
 /// Fills a rectangle with corners of this radius, smooth at its rim.
 void fill_rounded(Image& image, const Rect& rect, double radius, const Colour& srgb, double share);
 
+/// A ring whose line of this width lies about this radius, smooth at its rims.
+void draw_ring(Image& image,
+               const std::array<double, 2>& centre,
+               double radius,
+               double width,
+               const Colour& srgb);
+
 /// Fills a triangle, smooth at its rim.
 void fill_triangle(Image& image,
                    const std::array<std::array<double, 2>, 3>& corners,

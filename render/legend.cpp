@@ -122,6 +122,9 @@ LegendLayout lay_out(const LegendContent& content, double s) {
         set.y += k_gap * s;
     }
     set.text(content.moment, k_text_size, false);
+    for (const std::string& line : content.moment_notes) {
+        set.text(line, k_text_size, false);
+    }
     for (const std::string& line : content.objects) {
         set.text(line, k_text_size, true);
     }

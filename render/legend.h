@@ -17,8 +17,9 @@ struct LegendContent {
     ColourScale scale;
     bool has_values = false; ///< false: no cloth, so no least and greatest
     double least = 0.0, greatest = 0.0;
-    std::string moment;               ///< frame and time
-    std::vector<std::string> objects; ///< name and fabric of each cloth, a line each
+    std::string moment;                      ///< frame and time
+    std::vector<std::string> moment_notes{}; ///< what else there is to say of it, a line each
+    std::vector<std::string> objects;        ///< name and fabric of each cloth, a line each
 };
 
 LegendContent describe_frame(const Frame& frame, int quantity, const ColourScale& scale);

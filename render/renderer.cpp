@@ -2,6 +2,9 @@
 
 #include "base/error.h"
 #include "render/legend.h"
+#include "render/problem_marks.h"
+
+#include <fmt/core.h>
 
 #include <string>
 
@@ -56,8 +59,16 @@ Image Renderer::draw(const Frame& frame, PictureStats* stats) {
     const Stage stage = build_stage(frame, quantity_, bounds_, camera_.eye);
     ValuePicture values;
     Image image = painter_->paint(stage, stats == nullptr ? nullptr : &values);
+    if (params_.problems) {
+        draw_problem_marks(image, camera_, frame.problems);
+    }
     if (params_.legend) {
-        draw_legend(image, describe_frame(frame, quantity_, scale_));
+        LegendContent content = describe_frame(frame, quantity_, scale_);
+        if (params_.problems) {
+            content.moment_notes.push_back(
+                fmt::format("unresolved pairs  {}", frame.problems.size()));
+        }
+        draw_legend(image, content);
     }
     if (stats != nullptr) {
         *stats = count_values(values, scale_);

@@ -1,20 +1,13 @@
 #include "app/recorder.h"
 
 #include "base/stopwatch.h"
-#include "collide/contact.h"
 #include "frames/cache.h"
 #include "frames/checkpoint_folder.h"
+#include "frames/problems.h"
 
 #include <algorithm>
 
 namespace weft {
-
-namespace {
-
-/// Pairs that are counted at most; more would be no more telling.
-constexpr std::size_t k_most_crossings = 100000;
-
-} // namespace
 
 Recorder::Recorder(const RunPaths& paths,
                    const Scene& scene,
@@ -23,7 +16,7 @@ Recorder::Recorder(const RunPaths& paths,
                    const FrameRange& wanted)
     : paths_(paths), contact_(scene.contact), frames_(scene.scene.frames), scene_hash_(scene_hash),
       wanted_(wanted), capture_(start, scene.scene.fps), statistician_(start, scene.scene),
-      writer_(paths), pictures_(paths, scene) {}
+      crossings_(start, scene.contact.self), writer_(paths), pictures_(paths, scene) {}
 
 void Recorder::resume_after(int last) {
     writer_.keep_through(last);
@@ -33,40 +26,39 @@ void Recorder::begin() {
     write_obstacles(paths_, capture_.obstacles());
 }
 
-int Recorder::count_crossings(const World& world) const {
-    if (!contact_.enabled) {
-        return 0; // the scene says that nothing touches anything
+/// What the substeps left and what crosses now.
+std::vector<TimedProblem>
+Recorder::find_problems(const World& world, const FrameReport& report, int& crossings) {
+    std::vector<TimedProblem> problems = report.problems;
+    crossings = report.crossings;
+    if (contact_.enabled) { // else the scene says that nothing touches anything
+        const std::vector<ContactProblem> found = crossings_.find(world, world.time);
+        crossings = std::max(crossings, static_cast<int>(found.size()));
+        add_problems(problems, world.time, found);
+        keep_last_of_each(problems);
     }
-    const auto crossings = find_crossings(world, k_most_crossings);
-    if (contact_.self) {
-        return static_cast<int>(crossings.size());
-    }
-    const auto is_obstacle = [&](const std::string& name) {
-        return std::any_of(world.obstacles.begin(), world.obstacles.end(),
-                           [&](const Obstacle& obstacle) { return obstacle.name == name; });
-    };
-    return static_cast<int>(
-        std::count_if(crossings.begin(), crossings.end(), [&](const CrossingPair& pair) {
-            return is_obstacle(pair.object_a) || is_obstacle(pair.object_b);
-        }));
+    return problems;
 }
 
 void Recorder::record(const World& world,
                       const FrameReport& report,
-                      double step_seconds,
+                      FrameTiming timing,
                       const Progress& progress) {
     auto record = std::make_shared<FrameRecord>();
-    record->timing.step = step_seconds;
+    record->timing = timing;
     int crossings = 0;
+    std::vector<TimedProblem> problems;
     {
         const ScopedTime time(record->timing.verify);
-        crossings = count_crossings(world);
+        problems = find_problems(world, report, crossings);
     }
     {
         const ScopedTime time(record->timing.measure);
         record->statistics = statistician_.measure(world, report, crossings);
+        record->problems = problem_rows(world.frame, problems, world);
         if (wanted_.contains(world.frame)) {
             record->frame = capture_.capture(world);
+            record->frame->problems = places_of(problems);
         }
         if (world.frame % k_checkpoint_interval == 0 || world.frame == frames_) {
             record->checkpoint = make_checkpoint(world, scene_hash_);

@@ -4,6 +4,7 @@
 #include "app/live_pictures.h"
 #include "app/ordered_worker.h"
 #include "app/progress.h"
+#include "collide/crossings.h"
 #include "frames/capture.h"
 #include "frames/run_writer.h"
 
@@ -33,7 +34,7 @@ public:
     /// The frame that the world stands at. Throws what writing an earlier one threw.
     void record(const World& world,
                 const FrameReport& report,
-                double step_seconds,
+                FrameTiming timing,
                 const Progress& progress);
 
     /// Makes sure that the run can go on from the world's frame.
@@ -48,7 +49,8 @@ public:
     CsvTable statistics() const { return writer_.statistics(); }
 
 private:
-    int count_crossings(const World& world) const;
+    std::vector<TimedProblem>
+    find_problems(const World& world, const FrameReport& report, int& crossings);
 
     RunPaths paths_;
     ContactParams contact_;
@@ -57,6 +59,7 @@ private:
     FrameRange wanted_;
     FrameCapture capture_;
     Statistician statistician_;
+    WorldCrossings crossings_;
     RunWriter writer_;
     LivePictures pictures_;
     OrderedWorker worker_{k_queue}; ///< last: its jobs use the others

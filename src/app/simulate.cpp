@@ -97,6 +97,7 @@ ExitCode simulate_scene(const SimulateOptions& options, const Scene& scene) {
                     {.frames = common.frames,
                      .fail_on = common.fail_on,
                      .time_limit = options.time_limit,
+                     .verify = common.verify,
                      .verbosity = common.verbosity()});
 }
 

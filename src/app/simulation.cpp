@@ -28,7 +28,11 @@ public:
         : scene_(scene), world_(world), paths_(paths), options_(options),
           frames_(scene.scene.frames), hash_(run_hash(scene, world)),
           stepper_(world, scene.scene, scene.contact),
-          recorder_(paths, scene, world, hash_, options.frames) {}
+          recorder_(paths, scene, world, hash_, options.frames) {
+        if (options.verify && scene.contact.enabled) {
+            stepper_.verify_substeps(world);
+        }
+    }
 
     ExitCode run();
 
@@ -98,7 +102,7 @@ bool Simulation::begin() {
     recorder_.begin();
     end(RunState::Running, ExitCode::Done, "");
     if (!has_frame) {
-        recorder_.record(world_, {}, 0.0, Progress(0, frames_, Verbosity::Quiet));
+        recorder_.record(world_, {}, {}, Progress(0, frames_, Verbosity::Quiet));
     }
     return false;
 }
@@ -115,6 +119,7 @@ bool Simulation::pictures_hold(const std::string& scene_text) const {
 bool Simulation::advance_all(Progress& progress) {
     while (world_.frame < frames_) {
         const Stopwatch watch;
+        const CpuStopwatch cpu;
         std::optional<FrameReport> report;
         try {
             report = stepper_.advance_frame(world_, [&] { return should_stop(); });
@@ -125,7 +130,11 @@ bool Simulation::advance_all(Progress& progress) {
         if (!report) {
             return false;
         }
-        recorder_.record(world_, *report, watch.seconds(), progress);
+        recorder_.record(world_, *report,
+                         {.step = watch.seconds() - report->seconds.verify,
+                          .step_cpu = cpu.seconds(),
+                          .verify = report->seconds.verify},
+                         progress);
         const int contacts = report->contact.contacts_obstacle + report->contact.contacts_self;
         progress.show({world_.frame, world_.triangle_count(), contacts});
         spdlog::debug("frame {}: {} substeps, {} retries, {} contacts, {} unresolved, {:.3f} s",

@@ -12,6 +12,7 @@ struct SimulationOptions {
     FrameRange frames; ///< whose cache and pictures are wanted
     std::vector<Rule> fail_on;
     double time_limit = k_forever; ///< wall time, s
+    bool verify = false;           ///< exact crossing test after every substep
     Verbosity verbosity = Verbosity::Normal;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
 
 namespace weft {
 
@@ -14,6 +15,20 @@ public:
 
 private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// CPU time that all threads of the process took together since it was made, s.
+class CpuStopwatch {
+public:
+    double seconds() const { return now() - start_; }
+
+private:
+    static double now() {
+        std::timespec time{};
+        ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    }
+    double start_ = now();
 };
 
 /// Adds the time of its scope to `total` (s).

@@ -3,6 +3,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "frames/ply.h"
+#include "frames/problems.h"
 
 #include <algorithm>
 #include <charconv>
@@ -74,6 +75,10 @@ CachedRun::CachedRun(const std::filesystem::path& folder, const Scene& scene)
                               .motion = obstacle.motion});
         obstacles_.back().shape.name = obstacle.name;
     }
+    if (const auto file = paths_.problems();
+        scene.render.problems && std::filesystem::exists(file)) {
+        problems_ = problem_places(parse_csv(read_file(file), file.string()), file.string());
+    }
 }
 
 std::vector<int> CachedRun::frames() const {
@@ -102,6 +107,9 @@ Frame CachedRun::read(int number) const {
     }
     for (const RigidShape& obstacle : obstacles_) {
         frame.objects.push_back(pose_shape(obstacle, frame.time));
+    }
+    if (const auto problems = problems_.find(number); problems != problems_.end()) {
+        frame.problems = problems->second;
     }
     return frame;
 }

@@ -4,6 +4,7 @@
 #include "frames/run_paths.h"
 #include "scene/scene.h"
 
+#include <map>
 #include <vector>
 
 namespace weft {
@@ -35,6 +36,7 @@ private:
     double fps_;
     std::vector<std::string> cloths_, fabrics_;
     std::vector<RigidShape> obstacles_;
+    std::map<int, std::vector<Vec3f>> problems_; ///< by frame; empty unless the scene shows them
 };
 
 /// Time of frame n, s: the first is 0.

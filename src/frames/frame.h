@@ -59,6 +59,7 @@ struct Frame {
     int number = 1;
     double time = 0.0; ///< s
     std::vector<FrameObject> objects;
+    std::vector<Vec3f> problems{}; ///< places of unresolved pairs on the way to it, m
 };
 
 } // namespace weft

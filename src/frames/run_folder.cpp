@@ -84,8 +84,8 @@ std::vector<fs::path> files_of_run(const RunPaths& paths) {
     collect(paths.frames_dir(), "frame.", ".png", files);
     collect(paths.cache_dir(), "", ".ply", files);
     collect(paths.checkpoints_dir(), "", ".weft", files);
-    for (const fs::path& file : {paths.stats(), paths.timing(), paths.images(), paths.log(),
-                                 paths.status(), paths.scene()}) {
+    for (const fs::path& file : {paths.stats(), paths.problems(), paths.timing(), paths.images(),
+                                 paths.log(), paths.status(), paths.scene()}) {
         files.push_back(file);
         files.push_back(file.string() + ".part");
     }

@@ -11,6 +11,7 @@ struct RunPaths {
 
     std::filesystem::path scene() const { return folder / "scene.resolved.toml"; }
     std::filesystem::path stats() const { return folder / "stats.csv"; }
+    std::filesystem::path problems() const { return folder / "problems.csv"; }
     std::filesystem::path timing() const { return folder / "timing.csv"; }
     std::filesystem::path images() const { return folder / "images.csv"; }
     std::filesystem::path status() const { return folder / "status.json"; }

@@ -4,6 +4,7 @@
 #include "base/stopwatch.h"
 #include "frames/cache.h"
 #include "frames/checkpoint_folder.h"
+#include "frames/problems.h"
 
 #include <sys/resource.h>
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr std::string_view k_timing_header =
     "frame,forces_s,assembly_s,solve_s,contact_broad_s,contact_proximity_s,contact_impact_s,"
-    "adapt_s,step_s,verify_s,measure_s,write_s,draw_s,memory_peak_MB";
+    "adapt_s,step_s,step_cpu_s,verify_s,measure_s,write_s,draw_s,memory_peak_MB";
 
 /// Greatest resident memory of the process so far, MB.
 double peak_memory_mb() {
@@ -27,8 +28,8 @@ std::string timing_row(const FrameRecord& record, double write_seconds) {
     std::string row = std::to_string(record.statistics.frame);
     for (const double seconds :
          {s.forces, s.assembly, s.solve, s.contact_broad, s.contact_proximity, s.contact_impact,
-          s.adapt, record.timing.step, record.timing.verify, record.timing.measure, write_seconds,
-          record.timing.draw}) {
+          s.adapt, record.timing.step, record.timing.step_cpu, record.timing.verify,
+          record.timing.measure, write_seconds, record.timing.draw}) {
         row += fmt::format(",{:.6f}", seconds);
     }
     return row + fmt::format(",{:.1f}", peak_memory_mb());
@@ -38,7 +39,7 @@ std::string timing_row(const FrameRecord& record, double write_seconds) {
 
 RunWriter::RunWriter(const RunPaths& paths)
     : paths_(paths), statistics_(paths.stats(), statistics_header()),
-      timing_(paths.timing(), k_timing_header) {}
+      problems_(paths.problems(), problems_header()), timing_(paths.timing(), k_timing_header) {}
 
 void RunWriter::keep_through(int last) {
     if (const int kept = statistics_.keep_rows_through(last); kept != last) {
@@ -46,6 +47,7 @@ void RunWriter::keep_through(int last) {
                   "starts the run again",
                   paths_.stats().string(), kept, last);
     }
+    problems_.keep_rows_through(last);
     timing_.keep_rows_through(last);
     drop_checkpoints_after(paths_, last);
 }
@@ -56,13 +58,16 @@ void RunWriter::write(const FrameRecord& record) {
         write_cache(paths_, *record.frame);
     }
     statistics_.add(statistics_row(record.statistics));
+    for (const std::string& row : record.problems) {
+        problems_.add(row);
+    }
     timing_.add(timing_row(record, watch.seconds()));
     if (record.checkpoint) {
-        statistics_.write();
-        timing_.write();
+        finish();
         save_checkpoint(paths_, *record.checkpoint);
     } else {
         statistics_.write_if_small();
+        problems_.write_if_small();
         timing_.write_if_small();
     }
     write_status(paths_.status(), record.status);
@@ -70,6 +75,7 @@ void RunWriter::write(const FrameRecord& record) {
 
 void RunWriter::finish() {
     statistics_.write();
+    problems_.write();
     timing_.write();
 }
 

@@ -13,15 +13,17 @@ namespace weft {
 
 /// Wall time that a frame took beside its stages, s.
 struct FrameTiming {
-    double step = 0.0;    ///< advancing to it, all stages together
-    double verify = 0.0;  ///< the exact search for crossings
-    double measure = 0.0; ///< capture and statistics
-    double draw = 0.0;    ///< the picture, beside the simulation
+    double step = 0.0;     ///< advancing to it, all stages together, but not verifying it
+    double step_cpu = 0.0; ///< CPU time that the process took meanwhile, all threads together
+    double verify = 0.0;   ///< the exact search for crossings
+    double measure = 0.0;  ///< capture and statistics
+    double draw = 0.0;     ///< the picture, beside the simulation
 };
 
 /// All that one frame leaves behind.
 struct FrameRecord {
     FrameStatistics statistics;
+    std::vector<std::string> problems; ///< rows of problems.csv
     FrameTiming timing;
     std::optional<Frame> frame;           ///< empty: this frame's cache is not wanted
     std::optional<Checkpoint> checkpoint; ///< empty: none is due
@@ -51,6 +53,7 @@ public:
 private:
     RunPaths paths_;
     CsvFile statistics_;
+    CsvFile problems_;
     CsvFile timing_;
 };
 

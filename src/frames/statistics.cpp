@@ -18,7 +18,8 @@ constexpr std::string_view k_header =
     "frame,time_s,substeps,retries,cg_iterations,residual,vertices,triangles,refined,coarsened,"
     "contacts_obstacle,contacts_self,unresolved,min_gap_m,stretch_min,stretch_mean,stretch_p95,"
     "stretch_max,shear_max_deg,kinetic_J,membrane_J,bending_J,gravity_J,com_x_m,com_y_m,com_z_m,"
-    "max_speed_m_s,state_hash,impacts,impact_zones,scaled_islands";
+    "max_speed_m_s,state_hash,impacts,impact_zones,scaled_islands,"
+    "substeps_impacts,substeps_zones,substeps_scaled";
 
 /// A triangle's stretch and its share of the whole.
 struct Weighted {
@@ -77,7 +78,8 @@ std::string statistics_row(const FrameStatistics& s) {
         << s.motion.gravity << s.motion.centre_of_mass.x() << s.motion.centre_of_mass.y()
         << s.motion.centre_of_mass.z() << s.motion.max_speed;
     row.add(fmt::format("{:016x}", s.state_hash));
-    row << contact.impacts << contact.zones << contact.scaled_islands;
+    row << contact.impacts << contact.zones << contact.scaled_islands << s.report.substeps_impacts
+        << s.report.substeps_zones << s.report.substeps_scaled;
     return row.text();
 }
 

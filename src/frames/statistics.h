@@ -33,7 +33,9 @@ struct FrameStatistics {
     double time = 0.0;
     FrameReport report; ///< of the way to this frame; empty for the first
     std::size_t vertices = 0, triangles = 0;
-    int crossings = 0; ///< pairs of triangles that cross at the frame, by the exact test
+    int crossings =
+        0; ///< pairs of triangles that cross, by the exact test: at the frame or, if each was
+           ///< verified, after a substep
     StrainStatistics strain;
     MotionStatistics motion;
     std::uint64_t state_hash = 0;
@@ -53,7 +55,7 @@ public:
     Statistician(const World& world, const SceneParams& scene);
 
     /// @param report    what advancing to this frame did
-    /// @param crossings pairs of crossing triangles now
+    /// @param crossings pairs of crossing triangles, see FrameStatistics
     FrameStatistics measure(const World& world, const FrameReport& report, int crossings) const;
 
 private:

@@ -199,6 +199,7 @@ struct RenderParams {
     Vec2 range{0.9, 1.2}; ///< in the quantity's unit
     bool edges = true;
     bool legend = true;
+    bool problems = false; ///< rings around unresolved pairs
     bool has_camera = false;
     CameraParams camera;
     int supersample = 2; ///< per axis, on top of 4 samples a pixel; 1..4

@@ -40,6 +40,7 @@ RenderParams read_render(TomlTable table) {
     params.has_range = table.read("range", params.range);
     table.read("edges", params.edges);
     table.read("legend", params.legend);
+    table.read("problems", params.problems);
     read_camera(table, params);
     table.read("supersample", params.supersample);
     table.read("enabled", params.enabled);

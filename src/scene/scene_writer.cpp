@@ -185,6 +185,7 @@ void write_render(TomlWriter& out, const RenderParams& render) {
     }
     out.line("edges", render.edges);
     out.line("legend", render.legend);
+    out.line("problems", render.problems);
     if (render.has_camera) {
         out.write("camera", fmt::format("{{ eye = {}, target = {}, fov_deg = {} }}",
                                         TomlWriter::toml_text(render.camera.eye),

@@ -9,7 +9,6 @@
 #include "step/implicit_step.h"
 
 #include <cmath>
-#include <tuple>
 
 namespace weft {
 
@@ -47,28 +46,6 @@ struct Snapshot {
         world.attached_states = attached_states;
     }
 };
-
-void add_problems(std::vector<TimedProblem>& all,
-                  double time,
-                  const std::vector<ContactProblem>& found) {
-    for (const ContactProblem& pair : found) {
-        all.push_back({time, pair});
-    }
-}
-
-/// Sorts them, and of those that tell of one pair the same keeps the last.
-void keep_last_of_each(std::vector<TimedProblem>& problems) {
-    const auto key = [](const TimedProblem& p) {
-        return std::tie(p.pair.objects, p.pair.triangles, p.pair.kind);
-    };
-    std::reverse(problems.begin(), problems.end());
-    std::stable_sort(problems.begin(), problems.end(),
-                     [&](const TimedProblem& p, const TimedProblem& q) { return key(p) < key(q); });
-    const auto same = [&](const TimedProblem& p, const TimedProblem& q) {
-        return key(p) == key(q);
-    };
-    problems.erase(std::unique(problems.begin(), problems.end(), same), problems.end());
-}
 
 void add_contact(ContactReport& total, const ContactReport& substep) {
     total.contacts_obstacle = std::max(total.contacts_obstacle, substep.contacts_obstacle);

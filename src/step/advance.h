@@ -2,6 +2,7 @@
 
 #include "collide/contact.h"
 #include "state/world.h"
+#include "step/timed_problem.h"
 
 #include <functional>
 #include <memory>
@@ -17,12 +18,6 @@ struct StageSeconds {
     double contact_broad = 0.0, contact_proximity = 0.0, contact_impact = 0.0;
     double adapt = 0.0;
     double verify = 0.0; ///< exact search for crossings, see verify_substeps()
-};
-
-/// A pair that was unresolved when a substep ended.
-struct TimedProblem {
-    double time; ///< of the substep's end, s
-    ContactProblem pair;
 };
 
 /// What happened between two frames.

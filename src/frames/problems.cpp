@@ -1,0 +1,81 @@
+#include "frames/problems.h"
+
+#include "base/error.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+namespace weft {
+
+namespace {
+
+constexpr std::string_view k_header =
+    "frame,time_s,kind,object_a,triangle_a,object_b,triangle_b,x_m,y_m,z_m";
+
+std::string_view name_of(ProblemKind kind) {
+    switch (kind) {
+    case ProblemKind::Crossing:
+        return "crossing";
+    case ProblemKind::TooNear:
+        return "too_near";
+    case ProblemKind::Pinched:
+        return "pinched";
+    }
+    return "";
+}
+
+const std::string& object_name(const World& world, Index object) {
+    const auto i = static_cast<std::size_t>(object);
+    const std::size_t cloths = world.cloths.size();
+    return i < cloths ? world.cloths[i].name : world.obstacles[i - cloths].name;
+}
+
+} // namespace
+
+std::string_view problems_header() {
+    return k_header;
+}
+
+std::vector<std::string>
+problem_rows(int frame, std::span<const TimedProblem> problems, const World& world) {
+    std::vector<std::string> rows;
+    for (const auto& [time, pair] : problems) {
+        rows.push_back(fmt::format("{},{},{},{},{},{},{},{},{},{}", frame, csv_number(time),
+                                   name_of(pair.kind), object_name(world, pair.objects[0]),
+                                   pair.triangles[0], object_name(world, pair.objects[1]),
+                                   pair.triangles[1], csv_number(pair.place.x()),
+                                   csv_number(pair.place.y()), csv_number(pair.place.z())));
+    }
+    return rows;
+}
+
+std::vector<Vec3f> places_of(std::span<const TimedProblem> problems) {
+    std::vector<Vec3f> places;
+    for (const TimedProblem& problem : problems) {
+        places.push_back(problem.pair.place.cast<float>());
+    }
+    return places;
+}
+
+std::map<int, std::vector<Vec3f>> problem_places(const CsvTable& table, const std::string& place) {
+    std::map<int, std::vector<Vec3f>> places;
+    const int x = table.find_column("x_m");
+    const int y = table.find_column("y_m");
+    const int z = table.find_column("z_m");
+    const int frame = table.find_column("frame");
+    if (frame < 0 || x < 0 || y < 0 || z < 0) {
+        fail_disk("{}: must have the columns frame, x_m, y_m and z_m", place);
+    }
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        const Vec3 at(table.number(row, x), table.number(row, y), table.number(row, z));
+        const double number = table.number(row, frame);
+        if (!at.allFinite() || !std::isfinite(number)) {
+            fail_disk("{}:{}: frame and place must be numbers", place, row + 2);
+        }
+        places[static_cast<int>(number)].push_back(at.cast<float>());
+    }
+    return places;
+}
+
+} // namespace weft
