@@ -33,9 +33,8 @@ struct FrameStatistics {
     double time = 0.0;
     FrameReport report; ///< of the way to this frame; empty for the first
     std::size_t vertices = 0, triangles = 0;
-    int crossings =
-        0; ///< pairs of triangles that cross, by the exact test: at the frame or, if each was
-           ///< verified, after a substep
+    int crossings = 0; ///< pairs that cross, by the exact test: greatest of the frame's own and of
+                       ///< the substeps' where those were verified
     StrainStatistics strain;
     MotionStatistics motion;
     std::uint64_t state_hash = 0;
