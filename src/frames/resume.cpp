@@ -23,6 +23,7 @@ std::string essence(Scene scene) {
     }
     for (ObstacleParams& obstacle : scene.obstacles) {
         obstacle.mesh.file = std::filesystem::path(obstacle.mesh.file).filename().string();
+        obstacle.animation.cache = std::filesystem::path(obstacle.animation.cache).filename();
     }
     return write_scene(scene, "/");
 }

@@ -19,6 +19,8 @@ void renumber(TriangleMesh& mesh, std::span<const Index> new_index) {
 void append(const FileObject& object, std::size_t number, const Mat3& to_world, JoinedMesh& all) {
     const auto first = static_cast<Index>(all.mesh.positions.size());
     for (const Vec3& p : object.positions) {
+        all.sources.push_back(
+            {static_cast<Index>(number), static_cast<Index>(all.mesh.positions.size()) - first});
         all.mesh.positions.emplace_back(to_world * p);
     }
     for (std::size_t t = 0; t < object.triangles.size(); ++t) {
@@ -46,7 +48,8 @@ join_objects(const MeshFile& file, std::span<const std::size_t> chosen, const Ma
     return all;
 }
 
-std::size_t drop_unused_vertices(TriangleMesh& mesh) {
+std::size_t drop_unused_vertices(JoinedMesh& joined) {
+    TriangleMesh& mesh = joined.mesh;
     std::vector<Index> new_index(mesh.positions.size(), k_no_index);
     for (const Triangle& triangle : mesh.triangles) {
         for (const Index v : triangle) {
@@ -57,19 +60,28 @@ std::size_t drop_unused_vertices(TriangleMesh& mesh) {
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         if (new_index[v] != k_no_index) {
             mesh.positions[kept] = mesh.positions[v];
+            joined.sources[kept] = joined.sources[v];
             new_index[v] = static_cast<Index>(kept++);
         }
     }
     const std::size_t dropped = mesh.positions.size() - kept;
     mesh.positions.resize(kept);
+    joined.sources.resize(kept);
     renumber(mesh, new_index);
     return dropped;
 }
 
-void weld_mesh(TriangleMesh& mesh, double tolerance) {
-    Weld welded = weld_vertices(mesh.positions, tolerance);
-    mesh.positions = std::move(welded.positions);
-    renumber(mesh, welded.new_index);
+void weld_mesh(JoinedMesh& joined, double tolerance) {
+    Weld welded = weld_vertices(joined.mesh.positions, tolerance);
+    joined.mesh.positions = std::move(welded.positions);
+    renumber(joined.mesh, welded.new_index);
+    std::size_t kept = 0;
+    for (std::size_t v = 0; v < welded.new_index.size(); ++v) {
+        if (static_cast<std::size_t>(welded.new_index[v]) == kept) {
+            joined.sources[kept++] = joined.sources[v];
+        }
+    }
+    joined.sources.resize(kept);
 }
 
 void drop_triangles(JoinedMesh& joined, std::span<const Index> numbers) {

@@ -17,6 +17,7 @@ struct JoinedMesh {
     TriangleMesh mesh;
     std::vector<std::array<Vec2, 3>> corner_uv; ///< empty unless every object has uv
     std::vector<TriangleOrigin> origins;
+    std::vector<SourceVertex> sources; ///< of each vertex: the first in the file that it stands for
 };
 
 /// Joins the objects `chosen` of a file.
@@ -26,10 +27,10 @@ JoinedMesh
 join_objects(const MeshFile& file, std::span<const std::size_t> chosen, const Mat3& to_world);
 
 /// Drops vertices that no triangle uses, keeping the order of the others; returns how many.
-std::size_t drop_unused_vertices(TriangleMesh& mesh);
+std::size_t drop_unused_vertices(JoinedMesh& joined);
 
 /// Joins vertices within `tolerance` (m) of one another; see weld_vertices().
-void weld_mesh(TriangleMesh& mesh, double tolerance);
+void weld_mesh(JoinedMesh& joined, double tolerance);
 
 /// Drops triangles by number; `numbers` ascending and unique.
 void drop_triangles(JoinedMesh& joined, std::span<const Index> numbers);

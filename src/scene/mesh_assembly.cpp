@@ -36,7 +36,7 @@ public:
         }
         joined_ = join_objects(file_, chosen_, to_world);
         drop_unused();
-        weld_mesh(joined_.mesh, k_weld_share * bounding_diagonal(joined_.mesh.positions));
+        weld_mesh(joined_, k_weld_share * bounding_diagonal(joined_.mesh.positions));
         if (source_.repair) {
             repair();
         }
@@ -46,6 +46,8 @@ public:
         check_size();
         result_.imported.mesh = std::move(joined_.mesh);
         result_.imported.corner_uv = std::move(joined_.corner_uv);
+        result_.imported.sources = std::move(joined_.sources);
+        result_.imported.rig = file_.rig;
         return std::move(result_);
     }
 
@@ -76,7 +78,8 @@ private:
         } else if (source_.up == 'z') { // x, z, -y
             turn << 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, -1.0, 0.0;
         }
-        return result_.metres_per_unit * turn;
+        result_.imported.to_world = result_.metres_per_unit * turn;
+        return result_.imported.to_world;
     }
 
     void count_input() {
@@ -130,7 +133,7 @@ private:
     }
 
     void drop_unused() {
-        const std::size_t dropped = drop_unused_vertices(joined_.mesh);
+        const std::size_t dropped = drop_unused_vertices(joined_);
         const bool has_lines = std::any_of(chosen_.begin(), chosen_.end(), [&](std::size_t i) {
             return file_.objects[i].points_and_lines > 0;
         });
@@ -149,7 +152,7 @@ private:
         std::sort(bad.begin(), bad.end());
         bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
         drop_triangles(joined_, bad);
-        drop_unused_vertices(joined_.mesh);
+        drop_unused_vertices(joined_);
         result_.imported.triangles_removed = bad.size();
         warn_that("repair dropped {}: {} degenerate, {} with the corners of another",
                   count(bad.size(), "triangle", "triangles"), defects.degenerate.size(),

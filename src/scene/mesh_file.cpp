@@ -5,6 +5,7 @@
 #include "scene/assimp_log.h"
 #include "scene/file_axes.h"
 #include "scene/mesh_file_check.h"
+#include "scene/rig_import.h"
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
@@ -26,9 +27,15 @@ Mat4 to_eigen(const aiMatrix4x4& m) {
 }
 
 /// assimp's own nodes for FBX pivots carry the object's name and a suffix.
+constexpr const char* k_pivot_suffix = "_$AssimpFbx$";
+
 std::string node_name(const aiNode& node) {
     const std::string name = node.mName.C_Str();
-    return name.substr(0, name.find("_$AssimpFbx$"));
+    return name.substr(0, name.find(k_pivot_suffix));
+}
+
+bool is_pivot(const aiNode& node) {
+    return std::string_view(node.mName.C_Str()).find(k_pivot_suffix) != std::string_view::npos;
 }
 
 /// Adds one polygon to the object, cut into triangles, each with its corners' uv.
@@ -84,23 +91,33 @@ FileObject read_object(const aiMesh& mesh, const Mat4& transform) {
     return object;
 }
 
+/// What a walk over the nodes has gathered.
+struct Walk {
+    std::vector<FileObject> objects;
+    std::vector<ObjectOrigin> origins; ///< one an object
+    Index nodes = 0;                   ///< met so far
+};
+
 void walk_nodes(const aiScene& scene,
                 const aiNode& node,
                 const Mat4& parent,
                 std::vector<std::string> parents,
-                std::vector<FileObject>& objects) {
+                Walk& walk) {
     const Mat4 transform = parent * to_eigen(node.mTransformation);
+    const Index number = walk.nodes++;
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
         FileObject object = read_object(*scene.mMeshes[node.mMeshes[i]], transform);
         object.name = node_name(node);
         object.parents = parents;
-        objects.push_back(std::move(object));
+        walk.objects.push_back(std::move(object));
+        walk.origins.push_back({number, node.mMeshes[i]});
     }
-    if (node.mNumMeshes == 0) { // a group; a node with a surface of its own stands for itself
+    if (node.mNumMeshes == 0 &&
+        !is_pivot(node)) { // a group; a node with a surface of its own stands for itself
         parents.push_back(node_name(node));
     }
     for (unsigned i = 0; i < node.mNumChildren; ++i) {
-        walk_nodes(scene, *node.mChildren[i], transform, parents, objects);
+        walk_nodes(scene, *node.mChildren[i], transform, parents, walk);
     }
 }
 
@@ -125,7 +142,9 @@ MeshFile read_mesh_file(const std::filesystem::path& file, const std::string& na
     const std::string warning = check_mesh_file(file, name);
     const AssimpLog log;
     Assimp::Importer importer;
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+    // Without pivots as nodes of their own, assimp loses the animation of FBX joints that have an
+    // orientation.
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
     const aiScene* scene = nullptr;
     std::string reason;
     try {
@@ -152,7 +171,12 @@ MeshFile read_mesh_file(const std::filesystem::path& file, const std::string& na
     result.states_up = axes.states_up;
     result.to_y_up = axes.to_y_up;
     result.up = axes.up;
-    walk_nodes(*scene, *scene->mRootNode, axes.undo_root, {}, result.objects);
+    Walk walk;
+    walk_nodes(*scene, *scene->mRootNode, axes.undo_root, {}, walk);
+    result.objects = std::move(walk.objects);
+    if (scene->HasAnimations()) {
+        result.rig = std::make_shared<Rig>(read_rig(*scene, axes.undo_root, walk.origins));
+    }
     name_the_nameless(result.objects, file.stem().string());
     return result;
 }

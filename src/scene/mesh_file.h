@@ -1,8 +1,10 @@
 #pragma once
 
 #include "geometry/triangle_mesh.h"
+#include "scene/rig.h"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,7 @@ struct MeshFile {
     bool states_up = false;          ///< likewise
     Mat3 to_y_up = Mat3::Identity(); ///< turns the file's axes into x right, y up
     char up = 'y';                   ///< the file's up axis: x, y or z
+    std::shared_ptr<const Rig> rig;  ///< when the file has animations; parts are the objects
 };
 
 /// Reads every surface of a file by assimp.

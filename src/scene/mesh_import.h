@@ -2,8 +2,10 @@
 
 #include "geometry/triangle_mesh.h"
 #include "scene/params.h"
+#include "scene/rig.h"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 namespace weft {
@@ -18,6 +20,9 @@ struct ImportedMesh {
     std::size_t triangles_removed = 0; ///< degenerate ones that `repair` dropped
     std::vector<std::string> objects;  ///< the names that were taken, in the file's order
     std::vector<std::string> warnings; ///< one line each, to be shown to the user
+    std::vector<SourceVertex> sources; ///< #V, where each vertex stands in the file
+    Mat3 to_world = Mat3::Identity();  ///< from the file's unit and axes, about its origin
+    std::shared_ptr<const Rig> rig;    ///< when the file has animations
 };
 
 /// Reads a mesh file by assimp: node transforms applied, polygons triangulated, vertices welded by

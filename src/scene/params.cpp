@@ -145,6 +145,16 @@ std::string problem(const ClothParams& params) {
     return finding.text();
 }
 
+std::string problem(const AnimationParams& params) {
+    Finding finding;
+    finding.require(params.fps >= 0.0 && params.fps <= 1e6, "sequence_fps", params.fps,
+                    "> 0 and <= 1000000, 1/s");
+    finding.require(params.speed > 0.0 && params.speed <= 1e6, "animation_speed", params.speed,
+                    "> 0 and <= 1000000");
+    finding.require(std::isfinite(params.start), "animation_start", params.start, "a time, s");
+    return finding.text();
+}
+
 std::string problem(const ObstacleParams& params) {
     Finding finding;
     finding.positive("radius", params.radius, "m");

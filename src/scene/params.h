@@ -134,11 +134,27 @@ struct PoseKey {
     bool operator==(const PoseKey&) const = default;
 };
 
+enum class AnimationEnd { Hold, Loop };
+
+/// How the shape of an obstacle changes: an animation in its mesh file, numbered files, or a cache.
+struct AnimationParams {
+    std::string name{};       ///< key `animation`; empty: the file's first; "none": as modelled
+    bool is_sequence = false; ///< key `sequence`: the mesh's file is a pattern, see mesh_sequence.h
+    std::string cache{};      ///< PC2 or MDD, relative to the scene; empty: none
+    double fps = 0.0;         ///< key `sequence_fps`: files or samples, 1/s; 0: the scene's, or
+                              ///< the times in an MDD
+    double start = 0.0;       ///< key `animation_start`: when it leaves its first pose, s
+    double speed = 1.0;       ///< key `animation_speed`, > 0
+    AnimationEnd end = AnimationEnd::Hold; ///< key `animation_end`
+    bool operator==(const AnimationParams&) const = default;
+};
+
 /// `[[obstacle]]`.
 struct ObstacleParams {
     std::string name;
     Shape shape = Shape::Mesh;
     MeshSource mesh;
+    AnimationParams animation;
     double radius = 0.1;      ///< sphere, m, > 0
     Vec3 size{1.0, 1.0, 1.0}; ///< box: edge lengths; plane: x and z extent; m, > 0
     Placement placement;
@@ -216,6 +232,7 @@ std::string problem(const FrictionPair& params);
 std::string problem(const FabricParams& params);
 std::string problem(const PinParams& params);
 std::string problem(const ClothParams& params);
+std::string problem(const AnimationParams& params);
 std::string problem(const ObstacleParams& params);
 std::string problem(const AttachParams& params);
 std::string problem(const RenderParams& params);

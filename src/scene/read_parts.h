@@ -29,8 +29,9 @@ void read_fabric_values(TomlTable& table, FabricParams& fabric);
 
 /// `name`: usable as a file name; "" when it is missing, for the caller to refuse after finish().
 std::string read_name(TomlTable& table);
-/// mesh, object, units, up, repair; `source.file` stays empty without mesh.
-void read_mesh_source(TomlTable& table, MeshSource& source);
+/// mesh (or another key for the file), object, units, up, repair; `source.file` stays empty without
+/// it.
+void read_mesh_source(TomlTable& table, MeshSource& source, std::string_view key = "mesh");
 /// friction, static_friction; a new friction takes the static one along unless that is given too.
 /// Returns whether friction was there.
 bool read_friction(TomlTable& table, double& friction, std::optional<double>& static_friction);

@@ -27,18 +27,18 @@ std::string read_name(TomlTable& table) {
     return name;
 }
 
-void read_mesh_source(TomlTable& table, MeshSource& source) {
-    if (table.read("mesh", source.file) && source.file.empty()) {
-        table.fail("mesh", "must be the path of a mesh file");
+void read_mesh_source(TomlTable& table, MeshSource& source, std::string_view key) {
+    if (table.read(key, source.file) && source.file.empty()) {
+        table.fail(key, "must be the path of a mesh file");
     }
     table.read("object", source.objects);
     read_units(table, source);
     source.up_given = table.read_choice<char>("up", source.up, {{"y", 'y'}, {"z", 'z'}});
     table.read("repair", source.repair);
     table.refuse(problem(source));
-    for (const char* key : {"object", "units", "up", "repair"}) {
-        if (source.file.empty() && table.has(key)) {
-            table.fail(key, "needs mesh, whose file it describes");
+    for (const char* other : {"object", "units", "up", "repair"}) {
+        if (source.file.empty() && table.has(other)) {
+            table.fail(other, "needs mesh, whose file it describes");
         }
     }
 }

@@ -49,8 +49,9 @@ relative_path(const Scene& scene, const std::filesystem::path& folder, const std
 void write_mesh_source(TomlWriter& out,
                        const Scene& scene,
                        const std::filesystem::path& folder,
-                       const MeshSource& source) {
-    out.line("mesh", relative_path(scene, folder, source.file));
+                       const MeshSource& source,
+                       std::string_view key = "mesh") {
+    out.line(key, relative_path(scene, folder, source.file));
     if (!source.objects.empty()) {
         out.line("object", source.objects);
     }
@@ -142,6 +143,24 @@ void write_cloth(TomlWriter& out,
     }
 }
 
+void write_animation(TomlWriter& out,
+                     const Scene& scene,
+                     const std::filesystem::path& folder,
+                     const AnimationParams& animation) {
+    if (!animation.name.empty()) {
+        out.line("animation", animation.name);
+    }
+    if (!animation.cache.empty()) {
+        out.line("cache", relative_path(scene, folder, animation.cache));
+    }
+    if (animation.fps > 0.0) {
+        out.line("sequence_fps", animation.fps, "1/s");
+    }
+    out.line("animation_start", animation.start, "s");
+    out.line("animation_speed", animation.speed);
+    out.line("animation_end", animation.end == AnimationEnd::Hold ? "hold" : "loop");
+}
+
 void write_obstacle(TomlWriter& out,
                     const Scene& scene,
                     const std::filesystem::path& folder,
@@ -150,7 +169,9 @@ void write_obstacle(TomlWriter& out,
     out.line("name", obstacle.name);
     switch (obstacle.shape) {
     case Shape::Mesh:
-        write_mesh_source(out, scene, folder, obstacle.mesh);
+        write_mesh_source(out, scene, folder, obstacle.mesh,
+                          obstacle.animation.is_sequence ? "sequence" : "mesh");
+        write_animation(out, scene, folder, obstacle.animation);
         break;
     case Shape::Sphere:
         out.line("shape", "sphere");
