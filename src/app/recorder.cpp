@@ -15,8 +15,9 @@ Recorder::Recorder(const RunPaths& paths,
                    std::uint64_t scene_hash,
                    const FrameRange& wanted)
     : paths_(paths), contact_(scene.contact), frames_(scene.scene.frames), scene_hash_(scene_hash),
-      wanted_(wanted), capture_(start, scene.scene.fps), statistician_(start, scene.scene),
-      crossings_(start, scene.contact.self), writer_(paths), pictures_(paths, scene) {}
+      wanted_(wanted), capture_(start, scene.scene.fps, scene.scene.frames),
+      statistician_(start, scene.scene), crossings_(start, scene.contact.self), writer_(paths),
+      pictures_(paths, scene) {}
 
 void Recorder::resume_after(int last) {
     writer_.keep_through(last);

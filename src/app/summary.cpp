@@ -41,10 +41,10 @@ std::string summarise(const Scene& scene, const World& world) {
                             cloth.params.fabric.name, pins_of(world, cloth));
     }
     for (const Obstacle& obstacle : world.obstacles) {
-        text += fmt::format("obstacle '{}': {} vertices, {} triangles, {}, {} key frames\n",
+        text += fmt::format("obstacle '{}': {} vertices, {} triangles, {}, {} key frames{}\n",
                             obstacle.name, obstacle.mesh.positions.size(),
                             obstacle.mesh.triangles.size(), size_text(obstacle.mesh.positions),
-                            obstacle.params.motion.size());
+                            obstacle.params.motion.size(), deforms(obstacle) ? ", deforms" : "");
     }
     const SceneParams& s = scene.scene;
     const std::string substeps = s.substeps > 0 ? fmt::format("{}", s.substeps) : "automatic";
@@ -52,8 +52,14 @@ std::string summarise(const Scene& scene, const World& world) {
         scene.render.enabled
             ? fmt::format("{}x{} pictures", scene.render.size[0], scene.render.size[1])
             : "no pictures";
-    const double cache_bytes = 48.0 * static_cast<double>(world.vertex_count()) +
-                               13.0 * static_cast<double>(world.triangle_count());
+    double cache_bytes = 48.0 * static_cast<double>(world.vertex_count()) +
+                         13.0 * static_cast<double>(world.triangle_count());
+    for (const Obstacle& obstacle : world.obstacles) {
+        if (deforms(obstacle)) {
+            cache_bytes += 12.0 * static_cast<double>(obstacle.mesh.positions.size()) +
+                           13.0 * static_cast<double>(obstacle.mesh.triangles.size());
+        }
+    }
     return text + fmt::format("run: {} frames at {} a second ({:.4g} s), {} substeps a frame, {}, "
                               "cache of about {:.3g} MB\n",
                               s.frames, s.fps, (s.frames - 1) / s.fps, substeps, pictures,

@@ -12,6 +12,8 @@ namespace weft {
 
 namespace {
 
+constexpr const char* k_about_cloth = "; u v is the rest position, m";
+
 /// The frame number in "NAME.0012.ply", or 0.
 int frame_number(const std::string& file, const std::string& name) {
     const std::string_view rest(file);
@@ -45,6 +47,12 @@ double frame_time(int frame, double fps) {
 
 void write_obstacles(const RunPaths& paths, const std::vector<RigidShape>& obstacles) {
     for (const RigidShape& rigid : obstacles) {
+        if (!rigid.shape.reach.empty()) {
+            write_atomically(paths.reach(rigid.shape.name),
+                             encode_ply({.positions = rigid.shape.reach},
+                                        "weft: points that a deforming obstacle gets to, m"));
+            continue;
+        }
         write_atomically(paths.obstacle(rigid.shape.name),
                          encode_ply(rigid.shape, "weft: an obstacle in its own frame, m; its "
                                                  "motion is in scene.resolved.toml"));
@@ -53,11 +61,12 @@ void write_obstacles(const RunPaths& paths, const std::vector<RigidShape>& obsta
 
 void write_cache(const RunPaths& paths, const Frame& frame) {
     for (const FrameObject& object : frame.objects) {
-        if (object.kind == ObjectKind::Cloth) {
-            write_atomically(paths.cloth(object.name, frame.number),
-                             encode_ply(object, fmt::format("weft: frame {}, time {} s; u v is the "
-                                                            "rest position, m",
-                                                            frame.number, frame.time)));
+        const bool is_cloth = object.kind == ObjectKind::Cloth;
+        if (is_cloth || !object.reach.empty()) {
+            write_atomically(
+                paths.shape(object.name, frame.number),
+                encode_ply(object, fmt::format("weft: frame {}, time {} s{}", frame.number,
+                                               frame.time, is_cloth ? k_about_cloth : "")));
         }
     }
 }
@@ -69,11 +78,17 @@ CachedRun::CachedRun(const std::filesystem::path& folder, const Scene& scene)
         fabrics_.push_back(cloth.fabric.name);
     }
     for (const ObstacleParams& obstacle : scene.obstacles) {
-        const auto file = paths_.obstacle(obstacle.name);
+        const bool is_deforming = std::filesystem::exists(paths_.reach(obstacle.name));
+        const auto file =
+            is_deforming ? paths_.reach(obstacle.name) : paths_.obstacle(obstacle.name);
         obstacles_.push_back({.shape = decode_ply(read_file(file), file.string()),
                               .origin = obstacle.placement.translate,
                               .motion = obstacle.motion});
-        obstacles_.back().shape.name = obstacle.name;
+        FrameObject& shape = obstacles_.back().shape;
+        shape.name = obstacle.name;
+        if (is_deforming) {
+            shape.reach = std::move(shape.positions);
+        }
     }
     if (const auto file = paths_.problems();
         scene.render.problems && std::filesystem::exists(file)) {
@@ -82,31 +97,48 @@ CachedRun::CachedRun(const std::filesystem::path& folder, const Scene& scene)
 }
 
 std::vector<int> CachedRun::frames() const {
+    std::vector<std::string> names = cloths_;
+    for (const RigidShape& obstacle : obstacles_) {
+        if (!obstacle.shape.reach.empty()) {
+            names.push_back(obstacle.shape.name);
+        }
+    }
     std::vector<int> common;
-    for (std::size_t c = 0; c < cloths_.size(); ++c) {
-        const std::vector<int> numbers = frames_of(paths_, cloths_[c]);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::vector<int> numbers = frames_of(paths_, names[i]);
         std::vector<int> both;
         std::set_intersection(common.begin(), common.end(), numbers.begin(), numbers.end(),
                               std::back_inserter(both));
-        common = c == 0 ? numbers : both;
+        common = i == 0 ? numbers : both;
     }
     return common;
+}
+
+FrameObject CachedRun::read_shape(const std::string& name, int number) const {
+    const auto file = paths_.shape(name, number);
+    FrameObject object = decode_ply(read_file(file), file.string());
+    object.name = name;
+    return object;
 }
 
 Frame CachedRun::read(int number) const {
     Frame frame{.number = number, .time = frame_time(number, fps_), .objects = {}};
     for (std::size_t c = 0; c < cloths_.size(); ++c) {
-        const auto file = paths_.cloth(cloths_[c], number);
-        FrameObject object = decode_ply(read_file(file), file.string());
+        FrameObject object = read_shape(cloths_[c], number);
         if (object.kind != ObjectKind::Cloth) {
-            fail_disk("{}: no 'u' and 'v': not a cloth that weft wrote", file.string());
+            fail_disk("{}: no 'u' and 'v': not a cloth that weft wrote",
+                      paths_.shape(cloths_[c], number).string());
         }
-        object.name = cloths_[c];
         object.fabric = fabrics_[c];
         frame.objects.push_back(std::move(object));
     }
     for (const RigidShape& obstacle : obstacles_) {
-        frame.objects.push_back(pose_shape(obstacle, frame.time));
+        if (obstacle.shape.reach.empty()) {
+            frame.objects.push_back(pose_shape(obstacle, frame.time));
+        } else {
+            frame.objects.push_back(read_shape(obstacle.shape.name, number));
+            frame.objects.back().reach = obstacle.shape.reach;
+        }
     }
     if (const auto problems = problems_.find(number); problems != problems_.end()) {
         frame.problems = problems->second;

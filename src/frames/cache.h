@@ -9,10 +9,10 @@
 
 namespace weft {
 
-/// Writes the obstacles of a run, once, each in its own frame.
+/// Writes the obstacles of a run, once: rigid ones in their own frame, of the others their reach.
 void write_obstacles(const RunPaths& paths, const std::vector<RigidShape>& obstacles);
 
-/// Writes one PLY for each cloth of the frame.
+/// Writes one PLY for each cloth of the frame and each obstacle that deforms.
 void write_cache(const RunPaths& paths, const Frame& frame);
 
 /// A run read from its cache alone: gives the frames that the simulation wrote, to the same bits,
@@ -24,7 +24,8 @@ public:
     /// Throws Error (Disk) in one line when an obstacle's file is missing or damaged.
     CachedRun(const std::filesystem::path& folder, const Scene& scene);
 
-    /// Numbers of the frames in the cache that have a file for every cloth, ascending.
+    /// Numbers of the frames in the cache that have a file for every cloth and deforming obstacle,
+    /// ascending.
     std::vector<int> frames() const;
 
     /// Frame `number`: cloths, then obstacles, in the scene's order.
@@ -34,6 +35,8 @@ public:
 private:
     RunPaths paths_;
     double fps_;
+    FrameObject read_shape(const std::string& name, int number) const;
+
     std::vector<std::string> cloths_, fabrics_;
     std::vector<RigidShape> obstacles_;
     std::map<int, std::vector<Vec3f>> problems_; ///< by frame; empty unless the scene shows them

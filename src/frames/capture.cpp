@@ -1,6 +1,7 @@
 #include "frames/capture.h"
 
 #include "frames/cache.h"
+#include "frames/obstacle_reach.h"
 #include "frames/triangle_measures.h"
 #include "geometry/curvature.h"
 
@@ -57,14 +58,20 @@ void measure_cloth(const World& world, const Cloth& cloth, FrameObject& object) 
     }
 }
 
+std::vector<Vec3f> to_single(std::span<const Vec3> positions) {
+    std::vector<Vec3f> single;
+    for (const Vec3& position : positions) {
+        single.emplace_back(position.cast<float>());
+    }
+    return single;
+}
+
 FrameObject capture_cloth(const World& world, const Cloth& cloth) {
     FrameObject object{.name = cloth.name,
                        .kind = ObjectKind::Cloth,
                        .fabric = cloth.params.fabric.name,
                        .triangles = cloth.triangles};
-    for (const Vec3& position : world.positions_of(cloth)) {
-        object.positions.emplace_back(position.cast<float>());
-    }
+    object.positions = to_single(world.positions_of(cloth));
     for (const Vec2& material : cloth.material_positions) {
         object.material_positions.emplace_back(material.cast<float>());
     }
@@ -74,15 +81,17 @@ FrameObject capture_cloth(const World& world, const Cloth& cloth) {
 
 } // namespace
 
-FrameCapture::FrameCapture(const World& world, double fps) : fps_(fps) {
+FrameCapture::FrameCapture(const World& world, double fps, int frames) : fps_(fps) {
     for (const Obstacle& obstacle : world.obstacles) {
         RigidShape rigid{.shape = {.name = obstacle.name,
                                    .kind = ObjectKind::Obstacle,
                                    .triangles = obstacle.mesh.triangles},
                          .origin = obstacle.origin,
                          .motion = obstacle.params.motion};
-        for (const Vec3& position : obstacle.mesh.positions) {
-            rigid.shape.positions.emplace_back(position.cast<float>());
+        if (deforms(obstacle)) {
+            rigid.shape.reach = obstacle_reach(obstacle, frame_time(frames, fps), fps);
+        } else {
+            rigid.shape.positions = to_single(obstacle.mesh.positions);
         }
         obstacles_.push_back(std::move(rigid));
     }
@@ -93,8 +102,15 @@ Frame FrameCapture::capture(const World& world) const {
     for (const Cloth& cloth : world.cloths) {
         frame.objects.push_back(capture_cloth(world, cloth));
     }
-    for (const RigidShape& obstacle : obstacles_) {
-        frame.objects.push_back(pose_shape(obstacle, frame.time));
+    for (std::size_t o = 0; o < obstacles_.size(); ++o) {
+        if (deforms(world.obstacles[o])) {
+            std::vector<Vec3> positions(world.obstacles[o].mesh.positions.size());
+            obstacle_positions(world.obstacles[o], world.time, positions);
+            frame.objects.push_back(obstacles_[o].shape);
+            frame.objects.back().positions = to_single(positions);
+        } else {
+            frame.objects.push_back(pose_shape(obstacles_[o], frame.time));
+        }
     }
     return frame;
 }

@@ -6,10 +6,11 @@
 namespace weft {
 
 /// Takes a world out of the simulation: single precision, with every quantity of k_quantities at
-/// the vertices of cloth, and the obstacles posed at the frame's time.
+/// the vertices of cloth, and the obstacles as they stand at the frame's time.
 class FrameCapture {
 public:
-    FrameCapture(const World& world, double fps);
+    /// @param frames  of the run, by which the reach of deforming obstacles is found
+    FrameCapture(const World& world, double fps, int frames = 1);
 
     /// The frame that the world stands at.
     Frame capture(const World& world) const;

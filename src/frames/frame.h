@@ -49,6 +49,8 @@ struct FrameObject {
     std::string fabric;           ///< name, cloth only
     std::vector<Vec3f> positions; ///< #V, m
     std::vector<Triangle> triangles;
+    /// Far points of all places that an obstacle takes during the run when it deforms; else empty
+    std::vector<Vec3f> reach;
     std::vector<Vec2f> material_positions; ///< #V, u, m; empty for obstacles
     /// values[q] is #V values of k_quantities[q], smoothed to the vertices; empty for obstacles
     std::array<std::vector<float>, k_quantities.size()> values;

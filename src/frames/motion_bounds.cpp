@@ -107,6 +107,14 @@ Pose carried(const PinParams& pin, const Scene& scene, double begin, double t) {
     return way;
 }
 
+Extent reach_extent(const FrameObject& object) {
+    Extent extent;
+    for (const Vec3f& x : object.reach) {
+        extent.extend(x.cast<double>());
+    }
+    return extent;
+}
+
 /// One cloth of the first frame, and how far each of its vertices may come.
 class ClothOutlook {
 public:
@@ -125,9 +133,11 @@ private:
     void add_hanging(std::size_t v, Extent& extent) const;
     void add_falling(std::size_t v, const Vec3& from, double seconds, Extent& extent) const;
     Extent of_group(int group) const;
+    Box3 taken_along(const FrameObject& obstacle, const Extent& extent) const;
 
     const Scene& scene_;
     const ClothParams& params_;
+    const std::vector<FrameObject>& objects_;
     const FrameObject& object_;
     Outlook outlook_;
     std::vector<Vec3> positions_;
@@ -138,8 +148,9 @@ private:
 };
 
 ClothOutlook::ClothOutlook(const Frame& first, std::size_t number, const Scene& scene)
-    : scene_(scene), params_(scene.cloths[number]), object_(first.objects[number]),
-      outlook_(look_out(scene, params_, first.time)), holder_(held_vertices(object_, params_)) {
+    : scene_(scene), params_(scene.cloths[number]), objects_(first.objects),
+      object_(first.objects[number]), outlook_(look_out(scene, params_, first.time)),
+      holder_(held_vertices(object_, params_)) {
     for (const Vec3f& x : object_.positions) {
         positions_.emplace_back(x.cast<double>());
     }
@@ -289,7 +300,27 @@ Extent ClothOutlook::extent() const {
     for (int group = -1; group < static_cast<int>(params_.pins.size()); ++group) {
         extent.extend(of_group(group));
     }
+    for (const FrameObject& object : objects_) {
+        if (!object.reach.empty()) {
+            extent.extend(taken_along(object, extent));
+        }
+    }
     return extent;
+}
+
+/// What cloth that is on a deforming obstacle, or pinned to it, reaches with it: as far beyond the
+/// obstacle as now.
+Box3 ClothOutlook::taken_along(const FrameObject& obstacle, const Extent& extent) const {
+    const bool is_pinned = std::any_of(params_.pins.begin(), params_.pins.end(),
+                                       [&](const PinParams& p) { return p.to == obstacle.name; });
+    const Box3 now = object_extent(obstacle).box();
+    if (!is_pinned && !now.contains(object_extent(object_).box().center())) {
+        return {};
+    }
+    const Box3 later = reach_extent(obstacle).box();
+    const Box3 cloth = extent.box();
+    return {cloth.min() + (later.min() - now.min()).cwiseMin(0.0),
+            cloth.max() + (later.max() - now.max()).cwiseMax(0.0)};
 }
 
 Extent obstacle_extent(const FrameObject& object,
@@ -298,7 +329,8 @@ Extent obstacle_extent(const FrameObject& object,
                        double begin) {
     const Extent start = object_extent(object);
     Extent extent = start;
-    if (params.motion.empty()) {
+    extent.extend(reach_extent(object));
+    if (params.motion.empty() || !object.reach.empty()) {
         return extent;
     }
     for (const double t : times_of_motion(scene, begin)) {

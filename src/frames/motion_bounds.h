@@ -11,10 +11,12 @@ namespace weft {
 /// What a run will probably move in, from its first frame and its scene alone: a camera can be
 /// placed before the motion is known.
 ///
-/// Obstacles: exactly, at the frames' times. Cloth: its place at the first frame and ...
+/// Obstacles: exactly, at the frames' times; those that deform by their reach. Cloth: its place at
+/// the first frame and ...
 /// - what is pinned hangs below its nearest pin by their distance along the mesh, or swings there
 ///   and somewhat past it, leans with the wind, and goes where the pin goes;
 /// - what is free falls for the rest of the run, or until it lies on an obstacle below;
+/// - what is on a deforming obstacle, or pinned to it, is taken along;
 /// - what reaches over the edge of such an obstacle hangs by its distance from there.
 ///
 /// @param first    a frame of the run with all its objects, the earliest known

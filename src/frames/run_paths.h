@@ -22,10 +22,12 @@ struct RunPaths {
 
     /// frames/frame.0001.png
     std::filesystem::path picture(int frame) const;
-    /// cache/NAME.0001.ply: cloth, one a frame
-    std::filesystem::path cloth(const std::string& name, int frame) const;
+    /// cache/NAME.0001.ply: cloth and obstacles that deform, one a frame
+    std::filesystem::path shape(const std::string& name, int frame) const;
     /// cache/NAME.ply: a rigid obstacle in its own frame, once
     std::filesystem::path obstacle(const std::string& name) const;
+    /// cache/NAME.reach.ply: of an obstacle that deforms, points that it gets to
+    std::filesystem::path reach(const std::string& name) const;
     /// checkpoints/0010.weft
     std::filesystem::path checkpoint(int frame) const;
     /// checkpoints/failed.weft: the last good state of a run that diverged, for a look at it

@@ -76,7 +76,7 @@ protected:
     test::ProcessResult interrupt(const fs::path& out, int frame, int signal) {
         test::Process process(test::weft_binary(), {"simulate", scene.string(), "-o", out.string()},
                               folder.path());
-        while (process.is_running() && !fs::exists(RunPaths{out}.cloth("napkin", frame))) {
+        while (process.is_running() && !fs::exists(RunPaths{out}.shape("napkin", frame))) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
         process.send(signal);
@@ -102,7 +102,7 @@ TEST_F(Simulate, WritesAllThatTheDesignNames) {
     EXPECT_EQ(result.out, "");
     for (const fs::path& file :
          {paths.scene(), paths.stats(), paths.timing(), paths.images(), paths.status(), paths.log(),
-          paths.picture(1), paths.picture(3), paths.cloth("napkin", 1), paths.cloth("napkin", 3),
+          paths.picture(1), paths.picture(3), paths.shape("napkin", 1), paths.shape("napkin", 3),
           paths.obstacle("block"), paths.checkpoint(3)}) {
         EXPECT_TRUE(fs::exists(file)) << file;
     }
@@ -298,7 +298,7 @@ TEST_F(Simulate, RefusesAFolderThatIsNotEmpty) {
     EXPECT_EQ(run(folder.path(), {"--overwrite"}).exit_code, 2); // holds the scene, no run
     EXPECT_TRUE(fs::exists(scene));
     EXPECT_EQ(run(out, {"--overwrite", "-s", "scene.frames=2"}).exit_code, 0);
-    EXPECT_FALSE(fs::exists(RunPaths{out}.cloth("napkin", 3)));
+    EXPECT_FALSE(fs::exists(RunPaths{out}.shape("napkin", 3)));
 }
 
 TEST_F(Simulate, WritesOnlyTheFramesAskedForButAllStatistics) {
@@ -308,7 +308,7 @@ TEST_F(Simulate, WritesOnlyTheFramesAskedForButAllStatistics) {
 
     for (int frame = 1; frame <= 24; ++frame) {
         const bool wanted = frame == 5 || frame == 8 || frame == 11;
-        EXPECT_EQ(fs::exists(paths.cloth("napkin", frame)), wanted) << frame;
+        EXPECT_EQ(fs::exists(paths.shape("napkin", frame)), wanted) << frame;
     }
     EXPECT_EQ(parse_csv(read_file(paths.stats()), "stats.csv").rows.size(), 24U);
 }

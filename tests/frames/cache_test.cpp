@@ -86,6 +86,33 @@ TEST_F(Cache, ListsOnlyFramesThatAreThereForEveryCloth) {
     EXPECT_EQ(run.frames(), (std::vector<int>{2, 10000}));
 }
 
+TEST_F(Cache, GivesBackAnObstacleThatDeforms) {
+    RigidShape dancer{.shape = {.name = "dancer", .kind = ObjectKind::Obstacle},
+                      .origin = Vec3::Zero(),
+                      .motion = {}};
+    dancer.shape.triangles = {{0, 1, 2}};
+    dancer.shape.reach = {{-1, 0, 0}, {1, 2, 0}};
+    scene.obstacles.push_back({.name = "dancer"});
+    write_obstacles(paths, {triangle_post(scene), dancer});
+    for (const int number : {3, 4}) {
+        Frame frame = flag_frame(number);
+        frame.objects.push_back(dancer.shape);
+        const auto y = static_cast<float>(number);
+        frame.objects.back().positions = {{0, y, 0}, {1, y, 0}, {0, y, 1}};
+        write_cache(paths, frame);
+    }
+    write_cache(paths, flag_frame(5)); // the dancer is not there yet
+
+    const CachedRun run(folder.path(), scene);
+
+    EXPECT_EQ(run.frames(), (std::vector<int>{3, 4}));
+    const FrameObject read = run.read(4).objects[2];
+    EXPECT_EQ(read.kind, ObjectKind::Obstacle);
+    EXPECT_EQ(read.positions[0], Vec3f(0, 4, 0));
+    EXPECT_EQ(read.triangles, dancer.shape.triangles);
+    EXPECT_EQ(read.reach, dancer.shape.reach);
+}
+
 TEST_F(Cache, NamesAMissingFileInOneLine) {
     try {
         CachedRun(folder.path(), scene).read(3);
@@ -93,7 +120,7 @@ TEST_F(Cache, NamesAMissingFileInOneLine) {
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::Disk);
         EXPECT_EQ(std::string(error.what()),
-                  paths.cloth("flag", 3).string() + ": cannot read: No such file or directory");
+                  paths.shape("flag", 3).string() + ": cannot read: No such file or directory");
     }
 }
 

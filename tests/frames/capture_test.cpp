@@ -113,5 +113,28 @@ TEST(Capture, AveragesTheTrianglesAroundAVertex) {
     EXPECT_EQ(std::count_if(stretch.begin(), stretch.end(), is_half_way), 2);
 }
 
+TEST(Capture, TakesADeformingObstacleAsItStands) {
+    World world = test::grid_world(1.0, 4);
+    Obstacle post{.name = "post"};
+    post.mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
+    post.mesh.triangles = {{0, 1, 2}};
+    post.origin = Vec3(0.0, 3.0, 0.0);
+    post.deformation = std::make_shared<Deformation>(
+        3, 0, [rest = post.mesh.positions](double t, std::span<Vec3> positions) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                positions[i] = (1.0 + t) * rest[i];
+            }
+        });
+    world.obstacles.push_back(post);
+    world.time = 0.5;
+
+    const Frame frame = FrameCapture(world, 2.0, 5).capture(world); // to t = 2 s
+
+    const FrameObject& taken = frame.objects[1];
+    EXPECT_EQ(taken.positions[1], Vec3f(1.5F, 3.0F, 0.0F));
+    EXPECT_TRUE(std::find(taken.reach.begin(), taken.reach.end(), Vec3f(3.0F, 3.0F, 0.0F)) !=
+                taken.reach.end());
+}
+
 } // namespace
 } // namespace weft

@@ -99,6 +99,17 @@ TEST(MotionBounds, ObstaclesReachAsFarAsTheirKeyFrames) {
     EXPECT_NEAR(box.max().z(), 3.0, 0.01);
 }
 
+TEST(MotionBounds, ObstaclesThatDeformReachAsFarAsTheySay) {
+    Shown shown(2.0);
+    shown.scene.scene.gravity = Vec3::Zero();
+    shown.add(test::box({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}), {});
+    shown.frame.objects.back().reach = {{0.0F, 0.0F, 0.0F}, {4.0F, 1.0F, 1.0F}};
+
+    const Box3 box = shown.predict();
+
+    EXPECT_NEAR(box.max().x(), 4.0, 1e-6);
+}
+
 TEST(MotionBounds, OfNothingAreEmpty) {
     EXPECT_TRUE(predict_motion({}, {}, {}).is_empty());
 }

@@ -18,7 +18,7 @@ void touch(const fs::path& file) {
 /// A folder as an earlier run left it.
 void make_old_run(const RunPaths& paths) {
     for (const fs::path& file :
-         {paths.scene(), paths.status(), paths.stats(), paths.cloth("shirt", 1), paths.picture(1),
+         {paths.scene(), paths.status(), paths.stats(), paths.shape("shirt", 1), paths.picture(1),
           paths.checkpoint(10), fs::path(paths.stats().string() + ".part")}) {
         touch(file);
     }
@@ -84,7 +84,7 @@ TEST(RunFolder, OverwritesOnlyWhatARunWrites) {
     EXPECT_TRUE(fs::exists(temp / "notes.txt"));
     EXPECT_TRUE(fs::exists(temp / "frames/best.png"));
     for (const fs::path& file : {paths.scene(), paths.status(), paths.stats(),
-                                 paths.cloth("shirt", 1), paths.picture(1), paths.checkpoint(10)}) {
+                                 paths.shape("shirt", 1), paths.picture(1), paths.checkpoint(10)}) {
         EXPECT_FALSE(fs::exists(file)) << file;
     }
 }
