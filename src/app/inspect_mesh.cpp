@@ -1,6 +1,6 @@
 #include "app/inspect_mesh.h"
 
-#include "app/summary_lines.h"
+#include "app/inspect_animation.h"
 #include "base/error.h"
 #include "geometry/mesh_measure.h"
 #include "geometry/self_crossings.h"
@@ -169,6 +169,9 @@ InspectReport describe_read_file(const MeshFile& file,
     sheet.row("format", "{}", file.format.empty() ? "not named" : file.format);
     sheet.row("unit, up", "{}", unit_words(file, source, mesh));
     list_objects(file, chosen, source, source.file, sheet);
+    if (file.rig) {
+        describe_animations(*file.rig, chosen, sheet);
+    }
     if (!mesh.imported.mesh.triangles.empty()) {
         const MeshMeasure measure = measure_mesh(mesh.imported.mesh);
         describe_counts(mesh, measure.parts, sheet);

@@ -1,7 +1,8 @@
 #include "app/inspect_scene.h"
 
-#include "app/summary_lines.h"
+#include "app/inspect_animation.h"
 #include "base/error.h"
+#include "scene/mesh_sequence.h"
 #include "scene/scene_reader.h"
 
 namespace weft {
@@ -24,6 +25,20 @@ std::string describe_cloth(const ClothParams& cloth) {
                   cloth.grid_size.y(), cloth.grid_cells[0], cloth.grid_cells[1]);
     }
     return sheet.text;
+}
+
+/// A sequence is described by its first file.
+void add_obstacle_mesh(const Scene& scene, const ObstacleParams& obstacle, InspectReport& report) {
+    MeshSource source = obstacle.mesh;
+    if (obstacle.animation.is_sequence) {
+        source.file = find_sequence(scene.base_dir, source.file).names[0];
+    }
+    add_mesh(scene, source, false, report);
+    if (!report.is_refused) {
+        SummaryLines sheet;
+        describe_deformation(obstacle, scene.base_dir, scene.scene, sheet);
+        report.text += sheet.text;
+    }
 }
 
 std::string describe_obstacle(const ObstacleParams& obstacle) {
@@ -57,7 +72,7 @@ InspectReport describe_scene(const std::filesystem::path& file, const StartInspe
         for (const ObstacleParams& obstacle : scene.obstacles) {
             report.text += describe_obstacle(obstacle);
             if (obstacle.shape == Shape::Mesh) {
-                add_mesh(scene, obstacle.mesh, false, report);
+                add_obstacle_mesh(scene, obstacle, report);
             }
         }
         if (!report.is_refused) {
