@@ -27,10 +27,11 @@ void describe_animations(const Rig& rig, std::span<const std::size_t> chosen, Su
     std::vector<Index> bones;
     std::size_t targets = 0;
     for (const std::size_t i : chosen) {
-        for (const Bone& bone : rig.parts[i].bones) {
-            bones.push_back(bone.node);
+        const RigPart& part = rig.parts[i];
+        for (std::size_t b = 0; b + 1 < part.bones.size(); ++b) { // the last stands for none
+            bones.push_back(part.bones[b].node);
         }
-        targets += rig.parts[i].targets.size();
+        targets += part.targets.size();
     }
     std::sort(bones.begin(), bones.end());
     bones.erase(std::unique(bones.begin(), bones.end()), bones.end());

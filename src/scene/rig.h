@@ -66,7 +66,7 @@ struct RigPart {
     Index node = 0;              ///< carries vertices without bones
     std::vector<Vec3> positions; ///< in the mesh's own frame
     std::vector<MorphTarget> targets;
-    std::vector<Bone> bones;
+    std::vector<Bone> bones; ///< the last is the part's node, for vertices that no bone holds
     std::vector<Index> influence_begin; ///< of vertex v: [v] to [v + 1]; empty without bones
     std::vector<Influence> influences;
 };
