@@ -1,9 +1,11 @@
 #pragma once
 
+#include "geometry/separation.h"
 #include "state/world.h"
 
 #include <limits>
 #include <memory>
+#include <optional>
 
 namespace weft {
 
@@ -26,7 +28,7 @@ struct ContactProblem {
 struct ContactReport {
     int contacts_obstacle = 0;              ///< proximities and impacts between cloth and obstacles
     int contacts_self = 0;                  ///< between cloth and cloth
-    int impacts = 0;                        ///< met by continuous detection
+    int impacts = 0;                        ///< met by continuous detection after the solve
     int zones = 0;                          ///< impact zones that impulses could not resolve
     int scaled_islands = 0;                 ///< fail-safe: islands whose motion was cut back
     int unresolved = 0;                     ///< pairs that cross, or would, after all stages
@@ -36,21 +38,37 @@ struct ContactReport {
     double seconds_broad = 0.0, seconds_proximity = 0.0, seconds_impact = 0.0;
 };
 
-/// A place where a deformable stands against an obstacle when a substep starts, so that the
-/// implicit solve can carry it: between two sides whose relative motion is sum of weight * vertex
-/// motion plus the obstacle's.
-struct RestingContact {
-    std::array<Index, 4> pair;     ///< which pair of the contact surface it is
-    std::array<Index, 4> vertices; ///< of World; k_no_index where the obstacle stands
-    std::array<double, 4> weights; ///< of the deformable's vertices; 0 elsewhere
-    Vec3 obstacle_velocity;        ///< its share of the relative velocity, m/s
+/// A pair that is near when a substep starts, or meets during it, so that the implicit solve can
+/// carry it. The relative displacement of its sides over the substep is the sum of weight times
+/// vertex displacement plus `driven`.
+struct Contact {
+    std::array<Index, 4> pair; ///< which pair of the contact surface it is
+    PairKind kind;
+    std::array<Index, 4> vertices; ///< of World; k_no_index where an obstacle stands
+    std::array<double, 4> weights; ///< as in Separation
     Vec3 normal;                   ///< unit; the sides part along it
-    double depth;                  ///< thickness - distance at the start, m
+    double gap;                    ///< between the sides along the normal, at the start, m
+    double thickness;              ///< wanted gap, m
+    double rest;                   ///< gap from which on nothing pushes, m
+    double room;                   ///< by which pushing sides may come nearer than `rest`, m
     double mass;                   ///< that a push along the normal moves, kg
-    double friction;               ///< Coulomb
-    double impulse = 0.0;          ///< that the solve carried along the normal, N s, >= 0
-    Vec3 drag = Vec3::Zero();      ///< that it held across, N s
+    double friction;               ///< Coulomb's, while it slides
+    double static_friction;        ///< while it sticks
+    Vec3 driven;                   ///< the obstacle's share of the displacement, m
+    Vec3 slip = Vec3::Zero();      ///< across, from where friction is free, at the start; then,
+                                   ///< once reported, at the end, m
+    bool slides = false;
+    bool met = false;         ///< found by continuous detection, not near at the start
+    double impulse = 0.0;     ///< that the solve carried along the normal, N s, >= 0
+    Vec3 drag = Vec3::Zero(); ///< that it held across, N s
 };
+
+/// The memory that contacts leave, sorted.
+/// @param start, end #V of World: where the substep began and ended, m
+void remember(std::span<const Contact> contacts,
+              std::span<const Vec3> start,
+              std::span<const Vec3> end,
+              std::vector<ContactMemory>& memory);
 
 /// Two triangles that cross, by object and triangle number.
 struct CrossingPair {
@@ -68,26 +86,36 @@ public:
     ~ContactSolver();
     ContactSolver(ContactSolver&&) noexcept;
 
-    /// Contacts of deformables with obstacles that stand now, in a fixed order; see RestingContact.
-    void find_resting(const World& world,
+    /// Starts the substep from world.time to world.time + dt: the pairs that are near now, in a
+    /// fixed order, each with what world.contact_memory knows of it.
+    /// @param held #V flags: 1 = prescribed motion, infinite mass
+    void find_contacts(const World& world,
+                       std::span<const char> held,
+                       double dt,
+                       std::vector<Contact>& contacts);
+
+    /// Appends the pairs that meet, or that contacts as they stand do not keep apart, when vertices
+    /// move linearly from world.positions with `velocities` (#V, m/s). False: there are none.
+    bool find_impacts(const World& world,
+                      std::span<const Vec3> velocities,
                       std::span<const char> held,
                       double dt,
-                      std::vector<RestingContact>& resting);
+                      std::vector<Contact>& contacts);
 
     /// Changes average velocities so that moving linearly from world.positions over dt, while
     /// obstacles move from world.time to world.time + dt, touches nothing closer than allowed:
-    /// proximities with friction, then continuous detection with impulses and impact zones.
+    /// continuous detection with impulses, impact zones, and islands that are cut back.
     ///
     /// @param velocities #V average velocities v^{n+1/2}, m/s; those of vertices in `held` are kept
-    /// @param held       #V flags: 1 = prescribed motion, infinite mass
-    /// @param dt         s, > 0
-    /// @param resting    what the solve carried of find_resting's contacts: counts towards friction
+    /// @param contacts   what the solve carried, whose motion find_impacts saw last; given none,
+    /// pairs that are near are first set right
+    ///                   by impulses with friction
     /// Source: Bridson et al. 2002; order of Bender and Deul 2013, section 3.
     ContactReport resolve(const World& world,
                           std::span<Vec3> velocities,
                           std::span<const char> held,
                           double dt,
-                          std::span<const RestingContact> resting = {});
+                          std::optional<std::span<const Contact>> contacts = {});
 
     /// One line for the user each: cloths whose mesh is finer than their contact thickness.
     const std::vector<std::string>& warnings() const;

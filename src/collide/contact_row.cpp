@@ -52,8 +52,7 @@ double settle(ContactRow& row, ContactSurface& surface, std::span<char> touched)
     const double impulse = std::max(0.0, row.impulse + row.mass * (row.least_speed - speed));
     const Vec3 across = v - speed * row.normal;
     Vec3 drag = row.drag - row.mass * across;
-    const double limit =
-        std::max(row.friction * (impulse + row.carried), row.carried > 0.0 ? row.drag.norm() : 0.0);
+    const double limit = row.friction * impulse;
     const double wanted = drag.norm();
     if (wanted > limit) {
         drag *= limit / wanted;
@@ -69,6 +68,10 @@ double settle(ContactRow& row, ContactSurface& surface, std::span<char> touched)
 }
 
 } // namespace
+
+double parting_share(double dt) {
+    return std::min(k_overlap_share, k_parting_rate * dt);
+}
 
 PairPoints start_points(const ContactSurface& surface, const std::array<Index, 4>& vertices) {
     return {surface.start[at(vertices[0])], surface.start[at(vertices[1])],
@@ -104,8 +107,7 @@ ContactRow make_row(const ContactSurface& surface,
     }
     row.mass = inverse_mass > 0.0 ? 1.0 / inverse_mass : 0.0;
     const double overlap = rule.thickness - row.normal.dot(apart);
-    row.least_speed =
-        overlap > 0.0 ? overlap * std::min(k_overlap_share / dt, k_parting_rate) : overlap / dt;
+    row.least_speed = overlap / dt * (overlap > 0.0 ? parting_share(dt) : 1.0);
     return row;
 }
 

@@ -15,10 +15,12 @@ struct ContactRow {
     double least_speed;       ///< m/s
     double friction;          ///< Coulomb
     double impulse = 0.0;     ///< along normal so far, N s, >= 0
-    double carried = 0.0;     ///< along normal by the implicit solve before, N s, >= 0
-    Vec3 drag = Vec3::Zero(); ///< across, so far, N s; |drag| <= friction * (impulse + carried);
-                              ///< what the solve held beyond that is never given back
+    Vec3 drag = Vec3::Zero(); ///< across, so far, N s; |drag| <= friction * impulse
 };
+
+/// Share of an overlap that a substep of length dt (s) takes back: a tenth, and no more than
+/// k_parting_rate dt.
+double parting_share(double dt);
 
 /// The condition that keeps a pair, seen at `place`, from being nearer than `thickness` along its
 /// normal when the substep ends. Pairs nearer than that at the start do not come nearer, and part

@@ -1,11 +1,10 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "collide/contact.h"
+#include "collide/contact_search.h"
 #include "collide/crossings.h"
 #include "collide/impact.h"
 #include "collide/islands.h"
 #include "collide/proximity.h"
-#include "collide/resting.h"
 
 #include <fmt/core.h>
 
@@ -13,9 +12,10 @@
 
 // The stages of one substep, methods of Bridson et al. 2002, Harmon et al. 2008 and Provot 1997:
 //
-// 1. proximities with friction, at the start positions, to convergence;
+// 1. pairs that are near or meet are carried by the implicit solve (contact_search.h); without it
+//    proximities are set right with friction, at the start positions, to convergence;
 // 2. impacts of the straight motion: impulses pair by pair, all impacts so far in each round;
-// 3. zones: what is still met is solved together with the proximities, until it fits;
+// 3. zones: what is still met is solved together with the pairs of 1, until it fits;
 // 4. islands that still do not fit are cut back (islands.h), which ends.
 //
 // Whatever is accepted was tested: no candidate that a vertex of changed velocity belongs to is
@@ -60,7 +60,7 @@ struct ContactSolver::Impl {
     ContactParams params;
     ContactSurface surface;
     BroadPhase broad_phase;
-    RestingSearch resting_search;
+    ContactSearch contact_search;
     ProximitySearch proximity_search;
     ImpactSearch impact_search;
     CrossingSearch crossing_search;
@@ -77,10 +77,12 @@ struct ContactSolver::Impl {
     /// last substep.
     std::vector<Vec3> clean_start, clean_end;
 
+    bool clean_motion = false; ///< the surface's motion was searched and meets nothing
+    double seconds_broad = 0.0, seconds_proximity = 0.0, seconds_impact = 0.0; ///< of the substep
+
     Impl(const World& world, const ContactParams& contact)
         : params(contact), surface(make_surface(world, contact)),
-          broad_phase(surface, contact.self), resting_search(surface),
-          crossing_search(surface, contact.self) {
+          broad_phase(surface, contact.self), crossing_search(surface, contact.self) {
         for (const ContactObject& object : surface.objects) {
             if (contact.self && object.self_thickness < object.thickness) {
                 warnings.push_back(fmt::format(
@@ -91,10 +93,11 @@ struct ContactSolver::Impl {
         }
     }
 
-    ContactReport resolve(double dt, std::span<const RestingContact> resting);
-    void find_candidates(double dt, ContactReport& report);
-    void
-    settle_proximities(double dt, std::span<const RestingContact> resting, ContactReport& report);
+    ContactReport resolve(double dt, std::optional<std::span<const Contact>> contacts);
+    void find_candidates(double dt);
+    void settle_proximities(double dt, ContactReport& report);
+    void guard(std::span<const Contact> contacts, double dt, ContactReport& report);
+    bool find_impacts(double dt, std::vector<Contact>& contacts);
     int resolve_impacts(double dt, ContactReport& report);
     bool pass_of_impulses(int pass, double dt, ContactReport& report);
     int cut_back_rest(double dt, ContactReport& report);
@@ -104,10 +107,10 @@ struct ContactSolver::Impl {
     void count_contact(const std::array<Index, 4>& vertices, ContactReport& report) const;
 };
 
-void ContactSolver::Impl::find_candidates(double dt, ContactReport& report) {
+void ContactSolver::Impl::find_candidates(double dt) {
     const Stopwatch watch;
     broad_phase.find(surface, dt, candidates);
-    report.seconds_broad += watch.seconds();
+    seconds_broad += watch.seconds();
 }
 
 void ContactSolver::Impl::count_contact(const std::array<Index, 4>& vertices,
@@ -116,29 +119,56 @@ void ContactSolver::Impl::count_contact(const std::array<Index, 4>& vertices,
     ++(self ? report.contacts_self : report.contacts_obstacle);
 }
 
-void ContactSolver::Impl::settle_proximities(double dt,
-                                             std::span<const RestingContact> resting,
-                                             ContactReport& report) {
+void ContactSolver::Impl::settle_proximities(double dt, ContactReport& report) {
     const Stopwatch watch;
     proximity_search.find(surface, candidates, dt, proximities);
-    credit_carried(surface, resting, dt, proximities);
     for (int i = 0; i < k_proximity_sweeps; ++i) {
         if (sweep(proximities, surface, look) < k_settled_speed) {
             break;
         }
     }
     for (const ContactRow& row : proximities) {
-        if (row.impulse > 0.0 || row.carried > 0.0 || row.least_speed > 0.0) {
+        if (row.impulse > 0.0 || row.least_speed > 0.0) {
             count_contact(row.vertices, report);
         }
     }
     report.seconds_proximity += watch.seconds();
 }
 
+/// What the solve carried is only kept from being pressed together again.
+void ContactSolver::Impl::guard(std::span<const Contact> contacts,
+                                double dt,
+                                ContactReport& report) {
+    proximities.clear();
+    for (const Contact& contact : contacts) {
+        proximities.push_back(guard_row(contact, dt));
+        if (contact.impulse > 0.0 || contact.rest < contact.thickness) {
+            count_contact(contact.pair, report);
+        }
+    }
+}
+
+/// Impacts of the surface's motion as contacts; false: there are none.
+bool ContactSolver::Impl::find_impacts(double dt, std::vector<Contact>& contacts) {
+    if (!broad_phase.covers(surface, dt)) {
+        find_candidates(dt);
+    }
+    const Stopwatch watch;
+    look.assign(surface.start.size(), 1);
+    impact_search.find(surface, candidates, look, dt, k_impulse_limit, impacts);
+    for (const Impact& impact : impacts) {
+        contacts.push_back(
+            make_impact_contact(surface, candidates[at(impact.candidate)], impact.toi, dt));
+    }
+    clean_motion = impacts.empty();
+    seconds_impact += watch.seconds();
+    return !impacts.empty();
+}
+
 /// One search and what it asks for; false when nothing was found.
 bool ContactSolver::Impl::pass_of_impulses(int pass, double dt, ContactReport& report) {
     if (!broad_phase.covers(surface, dt)) {
-        find_candidates(dt, report);
+        find_candidates(dt);
     }
     const Stopwatch watch;
     impact_search.find(surface, candidates, look, dt, k_impulse_limit, impacts);
@@ -191,7 +221,7 @@ int ContactSolver::Impl::cut_back_rest(double dt, ContactReport& report) {
     islands.reset(at(surface.deformable_vertices));
     for (int round = 0;; ++round) {
         if (!broad_phase.covers(surface, dt)) {
-            find_candidates(dt, report);
+            find_candidates(dt);
         }
         const Stopwatch watch;
         impact_search.find(surface, candidates, look, dt, k_final_limit, impacts);
@@ -262,14 +292,22 @@ void ContactSolver::Impl::measure_end(double dt,
     }
 }
 
-ContactReport ContactSolver::Impl::resolve(double dt, std::span<const RestingContact> resting) {
+ContactReport ContactSolver::Impl::resolve(double dt,
+                                           std::optional<std::span<const Contact>> contacts) {
     ContactReport report;
     look.assign(surface.start.size(), 0);
     const bool clean_before = is_clean_start();
-    find_candidates(dt, report);
-    settle_proximities(dt, resting, report);
-    const int left = resolve_impacts(dt, report);
+    if (contacts) {
+        guard(*contacts, dt, report);
+    } else {
+        find_candidates(dt);
+        settle_proximities(dt, report);
+    }
+    const int left = contacts && clean_motion ? 0 : resolve_impacts(dt, report);
     measure_end(dt, clean_before, left, report);
+    report.seconds_broad += std::exchange(seconds_broad, 0.0);
+    report.seconds_proximity += std::exchange(seconds_proximity, 0.0);
+    report.seconds_impact += std::exchange(seconds_impact, 0.0);
     return report;
 }
 
@@ -282,7 +320,6 @@ ContactSolver::ContactSolver(const World& world, const ContactParams& params)
     const std::vector<char> held(world.vertex_count(), 0);
     place_surface(impl_->surface, world, still, held, 1.0);
     impl_->broad_phase.find(impl_->surface, 0.0, impl_->candidates);
-    impl_->resting_search.build_trees(impl_->surface);
 }
 ContactSolver::~ContactSolver() = default;
 ContactSolver::ContactSolver(ContactSolver&&) noexcept = default;
@@ -291,27 +328,46 @@ const std::vector<std::string>& ContactSolver::warnings() const {
     return impl_->warnings;
 }
 
-void ContactSolver::find_resting(const World& world,
+void ContactSolver::find_contacts(const World& world,
+                                  std::span<const char> held,
+                                  double dt,
+                                  std::vector<Contact>& contacts) {
+    contacts.clear();
+    if (!impl_->params.enabled) {
+        return;
+    }
+    place_surface(impl_->surface, world, world.velocities, held, dt);
+    impl_->find_candidates(dt);
+    impl_->clean_motion = false;
+    const Stopwatch watch;
+    impl_->contact_search.find(impl_->surface, impl_->candidates, world.contact_memory, dt,
+                               contacts);
+    impl_->seconds_proximity += watch.seconds();
+}
+
+bool ContactSolver::find_impacts(const World& world,
+                                 std::span<const Vec3> velocities,
                                  std::span<const char> held,
                                  double dt,
-                                 std::vector<RestingContact>& resting) {
-    resting.clear();
-    if (impl_->params.enabled) {
-        impl_->resting_search.find(impl_->surface, world, held, dt, resting);
+                                 std::vector<Contact>& contacts) {
+    if (!impl_->params.enabled) {
+        return false;
     }
+    place_surface(impl_->surface, world, velocities, held, dt);
+    return impl_->find_impacts(dt, contacts);
 }
 
 ContactReport ContactSolver::resolve(const World& world,
                                      std::span<Vec3> velocities,
                                      std::span<const char> held,
                                      double dt,
-                                     std::span<const RestingContact> resting) {
+                                     std::optional<std::span<const Contact>> contacts) {
     if (!impl_->params.enabled) {
         return {};
     }
     ContactSurface& surface = impl_->surface;
     place_surface(surface, world, velocities, held, dt);
-    const ContactReport report = impl_->resolve(dt, resting);
+    const ContactReport report = impl_->resolve(dt, contacts);
     for (std::size_t i = 0; i < velocities.size(); ++i) {
         if (!held[i]) {
             velocities[i] = surface.velocity[i];

@@ -118,6 +118,18 @@ bool is_nearest_here(const ContactSurface& surface,
            !leans_beside_edge(surface, place.normal, candidate.triangles[1], v[2], v[3]);
 }
 
+std::optional<Separation> near_place(const ContactSurface& surface, const Candidate& candidate) {
+    const double reach = k_reach * surface.rules[at(candidate.rule)].thickness;
+    const PairPoints x = start_points(surface, candidate.vertices);
+    if (!may_be_near(candidate.kind, x, reach)) {
+        return {};
+    }
+    const Separation place = separation(candidate.kind, x);
+    return place.distance < reach && is_nearest_here(surface, candidate, place)
+               ? std::optional(place)
+               : std::nullopt;
+}
+
 void ProximitySearch::find(const ContactSurface& surface,
                            std::span<const Candidate> candidates,
                            double dt,
@@ -125,14 +137,8 @@ void ProximitySearch::find(const ContactSurface& surface,
     const std::size_t chunks = (candidates.size() + k_chunk_candidates - 1) / k_chunk_candidates;
     found_.resize(std::max(found_.size(), chunks));
     const auto look_at = [&](const Candidate& candidate, std::vector<ContactRow>& out) {
-        const double reach = k_reach * surface.rules[at(candidate.rule)].thickness;
-        const PairPoints x = start_points(surface, candidate.vertices);
-        if (!may_be_near(candidate.kind, x, reach)) {
-            return;
-        }
-        const Separation place = separation(candidate.kind, x);
-        if (place.distance < reach && is_nearest_here(surface, candidate, place)) {
-            out.push_back(make_row(surface, candidate, place, dt));
+        if (const auto place = near_place(surface, candidate)) {
+            out.push_back(make_row(surface, candidate, *place, dt));
         }
     };
     parallel_chunks(

@@ -2,6 +2,8 @@
 
 #include "collide/contact_row.h"
 
+#include <optional>
+
 namespace weft {
 
 /// Is the connection of a pair the shortest one there, seen from the whole surfaces? A vertex that
@@ -11,6 +13,9 @@ namespace weft {
 bool is_nearest_here(const ContactSurface& surface,
                      const Candidate& candidate,
                      const Separation& place);
+
+/// Where a pair stands when it is nearer than its reach and nearest there, else nothing.
+std::optional<Separation> near_place(const ContactSurface& surface, const Candidate& candidate);
 
 /// Rows of all pairs that are now nearer than their reach and nearest there, in the order of the
 /// candidates.

@@ -16,7 +16,7 @@ static_assert(std::endian::native == std::endian::little, "checkpoints are littl
 namespace {
 
 constexpr std::array<char, 8> k_magic{'w', 'e', 'f', 't', 'c', 'k', 'p', 't'};
-constexpr std::uint32_t k_version = 2; ///< another layout of the payload: another version
+constexpr std::uint32_t k_version = 3; ///< another layout of the payload: another version
 constexpr int k_level = 1;             ///< positions hardly compress; higher levels only cost time
 
 /// Stands at the head of the file, no padding.
@@ -29,13 +29,15 @@ struct Header {
     double history_dt = 0.0;
     std::uint64_t vertices = 0;
     std::uint64_t attached_pairs = 0;
+    std::uint64_t contacts = 0; ///< entries of the contact memory
     std::uint64_t compressed_bytes = 0;
     std::uint64_t checksum = 0; ///< of this header with 0 here, then the compressed bytes
 };
-static_assert(sizeof(Header) == 72);
+static_assert(sizeof(Header) == 80);
 
 constexpr std::size_t k_vertex_bytes = 4 * sizeof(Vec3);
 constexpr std::uint64_t k_most_vertices = 1ULL << 31; ///< an Index counts no further
+constexpr std::uint64_t k_most_contacts = 1ULL << 33;
 
 std::uint64_t checksum(Header header, std::string_view compressed) {
     header.checksum = 0;
@@ -59,6 +61,8 @@ std::string compress(const Checkpoint& checkpoint) {
     }
     state.append(reinterpret_cast<const char*>(checkpoint.attached_states.data()),
                  checkpoint.attached_states.size() * sizeof(AttachedState));
+    state.append(reinterpret_cast<const char*>(checkpoint.contact_memory.data()),
+                 checkpoint.contact_memory.size() * sizeof(ContactMemory));
     std::string compressed(ZSTD_compressBound(state.size()), '\0');
     const std::size_t bytes =
         ZSTD_compress(compressed.data(), compressed.size(), state.data(), state.size(), k_level);
@@ -70,7 +74,8 @@ std::string compress(const Checkpoint& checkpoint) {
 bool decompress(std::string_view compressed, const Header& header, Checkpoint& out) {
     const std::size_t vertices = header.vertices;
     const std::size_t attached_bytes = header.attached_pairs * sizeof(AttachedState);
-    std::string state(vertices * k_vertex_bytes + attached_bytes, '\0');
+    const std::size_t contact_bytes = header.contacts * sizeof(ContactMemory);
+    std::string state(vertices * k_vertex_bytes + attached_bytes + contact_bytes, '\0');
     const std::size_t bytes =
         ZSTD_decompress(state.data(), state.size(), compressed.data(), compressed.size());
     if (ZSTD_isError(bytes) || bytes != state.size()) {
@@ -85,6 +90,11 @@ bool decompress(std::string_view compressed, const Header& header, Checkpoint& o
     out.attached_states.resize(header.attached_pairs);
     if (attached_bytes > 0) {
         std::memcpy(out.attached_states.data(), source, attached_bytes);
+    }
+    out.contact_memory.resize(header.contacts);
+    if (contact_bytes > 0) {
+        std::memcpy(static_cast<void*>(out.contact_memory.data()), source + attached_bytes,
+                    contact_bytes);
     }
     return true;
 }
@@ -104,7 +114,8 @@ Checkpoint make_checkpoint(const World& world, std::uint64_t scene_hash) {
             .velocities = world.velocities,
             .previous_positions = world.previous_positions,
             .previous_velocities = world.previous_velocities,
-            .attached_states = world.attached_states};
+            .attached_states = world.attached_states,
+            .contact_memory = world.contact_memory};
 }
 
 void restore(const Checkpoint& checkpoint, World& world) {
@@ -118,6 +129,7 @@ void restore(const Checkpoint& checkpoint, World& world) {
     world.previous_positions = checkpoint.previous_positions;
     world.previous_velocities = checkpoint.previous_velocities;
     world.attached_states = checkpoint.attached_states;
+    world.contact_memory = checkpoint.contact_memory;
 }
 
 std::string encode_checkpoint(const Checkpoint& checkpoint) {
@@ -129,6 +141,7 @@ std::string encode_checkpoint(const Checkpoint& checkpoint) {
     header.history_dt = checkpoint.history_dt;
     header.vertices = checkpoint.positions.size();
     header.attached_pairs = checkpoint.attached_states.size();
+    header.contacts = checkpoint.contact_memory.size();
     header.compressed_bytes = compressed.size();
     header.checksum = checksum(header, compressed);
     return std::string(reinterpret_cast<const char*>(&header), sizeof header) + compressed;
@@ -151,7 +164,7 @@ std::string decode_checkpoint(std::string_view bytes, Checkpoint& out) {
         return "truncated";
     }
     if (checksum(header, compressed) != header.checksum || header.vertices > k_most_vertices ||
-        header.attached_pairs > k_most_vertices) {
+        header.attached_pairs > k_most_vertices || header.contacts > k_most_contacts) {
         return "its checksum does not match";
     }
     out.scene_hash = header.scene_hash;

@@ -96,6 +96,7 @@ std::uint64_t state_hash(const World& world) {
     add_vectors(hash, world.previous_positions);
     add_vectors(hash, world.previous_velocities);
     hash.add(std::span<const AttachedState>(world.attached_states));
+    hash.add(std::span<const ContactMemory>(world.contact_memory));
     return hash.value();
 }
 

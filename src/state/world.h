@@ -3,6 +3,7 @@
 #include "scene/scene.h"
 #include "state/attachment.h"
 #include "state/cloth.h"
+#include "state/contact_memory.h"
 #include "state/obstacle.h"
 #include "state/pin.h"
 
@@ -30,6 +31,8 @@ struct World {
     std::vector<Vec3> previous_positions;  ///< #V
     std::vector<Vec3> previous_velocities; ///< #V
     double history_dt = 0.0;               ///< s, length of the last substep; 0 = no history
+
+    std::vector<ContactMemory> contact_memory; ///< by ascending pair, each pair once
 
     std::vector<Cloth> cloths;
     std::vector<Obstacle> obstacles;

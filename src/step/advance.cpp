@@ -8,6 +8,7 @@
 #include "step/held.h"
 #include "step/implicit_step.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace weft {
@@ -25,16 +26,22 @@ constexpr int k_most_halvings = 10;
 /// in one substep has been thrown, not simulated.
 constexpr double k_greatest_motion = 0.25;
 
+/// Solves at most for pairs that meet during a substep. More: time spent on pairs that impulses
+/// part as well; fewer: impulses, which know nothing of the cloth's stiffness, do more of the work.
+constexpr int k_impact_solves = 4;
+
 /// What a frame can be taken back to.
 struct Snapshot {
     double time, history_dt;
     std::vector<Vec3> positions, velocities, previous_positions, previous_velocities;
     std::vector<AttachedState> attached_states;
+    std::vector<ContactMemory> contact_memory;
 
     explicit Snapshot(const World& world)
         : time(world.time), history_dt(world.history_dt), positions(world.positions),
           velocities(world.velocities), previous_positions(world.previous_positions),
-          previous_velocities(world.previous_velocities), attached_states(world.attached_states) {}
+          previous_velocities(world.previous_velocities), attached_states(world.attached_states),
+          contact_memory(world.contact_memory) {}
 
     void restore(World& world) const {
         world.time = time;
@@ -44,6 +51,7 @@ struct Snapshot {
         world.previous_positions = previous_positions;
         world.previous_velocities = previous_velocities;
         world.attached_states = attached_states;
+        world.contact_memory = contact_memory;
     }
 };
 
@@ -95,6 +103,8 @@ struct Stepper::Impl {
         : scene(scene), implicit(world, scene), solver(world, contact), contact_params(contact) {}
 
     bool substep(World& world, double dt, FrameReport& report);
+    void find_average_velocities(const World& world, double dt);
+    void solve_impacts(const World& world, double dt, ImplicitReport& step);
     void finish(World& world, double dt);
     void verify(const World& world, double time, FrameReport& report);
     void forget_arrivals(World& world, double dt) const;
@@ -105,38 +115,30 @@ struct Stepper::Impl {
     std::optional<WorldCrossings> crossings; ///< made when asked for
     ContactParams contact_params;
     HeldVertices held;
-    std::vector<RestingContact> resting;
+    std::vector<Contact> contacts, met;
     std::vector<Vec3> end_positions, end_velocities;       ///< as if nothing touched
     std::vector<Vec3> average_velocities, free_velocities; ///< with and without contact
 };
 
 /// One substep in the order of Bender and Deul 2013, section 3. False: it failed, nothing changed.
 bool Stepper::Impl::substep(World& world, double dt, FrameReport& report) {
-    // 1. external forces and 2. one implicit step of all deformables
+    // 1. external forces, 2. one implicit step of all deformables, 3. average velocities, and
+    // 4. proximities with friction, which act inside the step
     find_held(world, world.time + dt, held);
-    if (contact_params.enabled) {
-        solver.find_resting(world, held.flags, dt, resting);
-    }
-    const ImplicitReport step =
-        implicit.solve(world, held, dt, end_positions, end_velocities, resting);
+    solver.find_contacts(world, held.flags, dt, contacts);
+    ImplicitReport step = implicit.solve(world, held, dt, end_positions, end_velocities, contacts);
+    find_average_velocities(world, dt);
+    solve_impacts(world, dt, step);
     report.cg_iterations += step.cg_iterations;
     if (!step.converged || moves_too_far(world, end_positions)) {
         return false;
     }
     report.residual = std::max(report.residual, step.residual);
 
-    // 3. average velocities
-    free_velocities.resize(world.vertex_count());
-    parallel_for(world.vertex_count(), [&](std::size_t i) {
-        free_velocities[i] = (end_positions[i] - world.positions[i]) / dt;
-    });
+    // 5. impacts that are left, until there is none
     average_velocities = free_velocities;
-
-    // 4. proximities with friction, and 5. impacts until none is left
-    ContactReport contact;
-    if (contact_params.enabled) {
-        contact = solver.resolve(world, average_velocities, held.flags, dt, resting);
-    }
+    const ContactReport contact =
+        solver.resolve(world, average_velocities, held.flags, dt, contacts);
     add_contact(report.contact, contact);
     add_problems(report.problems, world.time + dt, contact.problems);
     report.substeps_impacts += contact.impacts > 0;
@@ -162,6 +164,28 @@ void Stepper::Impl::verify(const World& world, double time, FrameReport& report)
     add_problems(report.problems, time, found);
 }
 
+void Stepper::Impl::find_average_velocities(const World& world, double dt) {
+    free_velocities.resize(world.vertex_count());
+    parallel_for(world.vertex_count(), [&](std::size_t i) {
+        free_velocities[i] = (end_positions[i] - world.positions[i]) / dt;
+    });
+}
+
+/// Pairs that the step lets meet are given to it as contacts, so that what they carry spreads
+/// through the cloth as all its forces do. What meets after that is left to impulses.
+void Stepper::Impl::solve_impacts(const World& world, double dt, ImplicitReport& step) {
+    for (int pass = 0; step.converged; ++pass) {
+        met.clear();
+        if (!solver.find_impacts(world, free_velocities, held.flags, dt, met) ||
+            pass == k_impact_solves) {
+            return;
+        }
+        contacts.insert(contacts.end(), met.begin(), met.end());
+        implicit.solve_again(world, held, end_positions, end_velocities, contacts, step);
+        find_average_velocities(world, dt);
+    }
+}
+
 /// Takes the motion that contact left. A vertex that nothing touched keeps the integrator's result;
 /// one that was touched moves with its average velocity and restarts its two-step history so that
 /// the next step treats it as implicit Euler would. BDF2 ends with a velocity that is not the
@@ -169,6 +193,12 @@ void Stepper::Impl::verify(const World& world, double time, FrameReport& report)
 /// the difference makes cloth that rests in contact gain energy until it is thrown off.
 void Stepper::Impl::finish(World& world, double dt) {
     const bool two_step = scene.integrator == Integrator::Bdf2;
+    parallel_for(world.vertex_count(), [&](std::size_t i) {
+        if (average_velocities[i] != free_velocities[i]) {
+            end_positions[i] = world.positions[i] + dt * average_velocities[i];
+        }
+    });
+    remember(contacts, world.positions, end_positions, world.contact_memory);
     parallel_for(world.vertex_count(), [&](std::size_t i) {
         const Vec3 x = world.positions[i];
         const Vec3 v = world.velocities[i];
@@ -179,7 +209,7 @@ void Stepper::Impl::finish(World& world, double dt) {
             world.velocities[i] = end_velocities[i];
         } else {
             const Vec3 step_change = end_velocities[i] - v; // acceleration times dt, before contact
-            world.positions[i] = x + dt * average_velocities[i];
+            world.positions[i] = end_positions[i];
             world.velocities[i] = average_velocities[i];
             previous_v = world.velocities[i] - step_change;
             previous_x = world.positions[i] - dt * world.velocities[i] - dt * step_change;
@@ -202,17 +232,23 @@ void Stepper::Impl::finish(World& world, double dt) {
 void Stepper::Impl::forget_arrivals(World& world, double dt) const {
     // the solve itself moved an untouched vertex by 2 dt / 3 of the velocity taken, or by all of it
     const double untouched_shift = world.history_dt == dt ? -dt / 3.0 : 0.0;
-    for (const RestingContact& contact : resting) {
-        for (const Index vertex : contact.vertices) {
-            if (vertex == k_no_index || contact.impulse <= 0.0) {
+    for (const Contact& contact : contacts) {
+        const bool with_obstacle = std::find(contact.vertices.begin(), contact.vertices.end(),
+                                             k_no_index) != contact.vertices.end();
+        if (!with_obstacle || contact.impulse <= 0.0) {
+            continue;
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+            if (contact.vertices[k] == k_no_index || contact.weights[k] == 0.0) {
                 continue;
             }
-            const auto i = static_cast<std::size_t>(vertex);
+            const auto i = static_cast<std::size_t>(contact.vertices[k]);
+            const Vec3 outward = contact.weights[k] > 0.0 ? contact.normal : -contact.normal;
             const double parting =
-                contact.normal.dot(world.previous_velocities[i] + contact.obstacle_velocity);
+                outward.dot(world.previous_velocities[i]) + contact.normal.dot(contact.driven) / dt;
             if (held.flags[i] == 0 && parting < 0.0) {
                 const bool touched = average_velocities[i] != free_velocities[i];
-                const Vec3 taken = -parting * contact.normal;
+                const Vec3 taken = -parting * outward;
                 world.previous_velocities[i] += taken;
                 world.previous_positions[i] += (touched ? dt : untouched_shift) * taken;
             }

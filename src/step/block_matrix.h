@@ -2,6 +2,7 @@
 
 #include "base/eigen.h"
 
+#include <compare>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct BlockMatrix {
 /// An entry of a symmetric pattern.
 struct BlockEntry {
     Index row, column;
+    auto operator<=>(const BlockEntry&) const = default;
 };
 
 /// A matrix with zero blocks at `entries` (any order, repeats allowed), at their transposes and on

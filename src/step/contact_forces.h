@@ -1,68 +1,87 @@
 #pragma once
 
 #include "collide/contact.h"
+#include "collide/contact_law.h"
 #include "step/block_matrix.h"
 
 namespace weft {
 
-/// What resting contacts with obstacles do inside the implicit solve: a stiff one-sided spring
-/// along the normal from the contact thickness inwards, and a damper across that stands for Coulomb
-/// friction: stiff where friction can hold, else as strong as makes its force Coulomb's at the slip
-/// found. Both are revised once a rough solution is known; a damper never drives, whatever is
-/// found.
-///
-/// Without it the solve lets cloth sink in for a substep and gives away the tension that presses it
-/// on: friction then finds too little to hold with, and draped cloth creeps off.
+/// What contacts do inside the implicit solve. Each pushes along its normal and holds across it
+/// (contact_law.h); both follow from where vertices end, so that for a given limit of friction
+/// contact is the slope of a convex potential.
 class ContactForces {
 public:
     /// @param stiffness  of the springs, by vertex, N/m: as stiff as the cloth itself, so that the
     ///                   matrix is no worse conditioned
     explicit ContactForces(std::vector<double> stiffness) : stiffness_(std::move(stiffness)) {}
 
-    /// Chooses what acts during the substep that starts now.
-    /// @param start             #V, positions at the start, m
-    /// @param velocities        #V, at the start, m/s
-    /// @param free_velocities   #V, expected at the end without contact, m/s
-    void start(std::span<const RestingContact> contacts,
-               std::span<const Vec3> start,
-               std::span<const Vec3> velocities,
-               std::span<const Vec3> free_velocities,
-               double dt);
+    /// Begins a substep, before any contact is added.
+    /// @param start #V, positions at the start, m; must stay until the substep's end
+    /// @param dt    s
+    void start(std::span<const Vec3> start, double dt);
 
-    bool acts() const { return !active_.empty(); }
+    /// Takes up what has been appended to the list since the last call. The list must stay where it
+    /// is until the next call.
+    void take(std::span<const Contact> contacts);
 
-    /// Adds forces at positions x and velocities v (#V of the world), N.
-    void add_forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> forces) const;
+    bool empty() const { return springs_.empty(); }
 
-    /// Adds beta^2 * stiffness + beta * damping to the matrix, whose rows are those of the
-    /// vertices.
-    void add_blocks(double beta, std::span<const Index> row_of_vertex, BlockMatrix& matrix) const;
+    /// No obstacle takes part: what contacts do sums to zero.
+    bool is_internal() const;
 
-    /// Lets go of springs that pull at (x, v) and fits dampers to Coulomb's cone there; false when
-    /// there was nothing to change.
-    bool revise(std::span<const Vec3> x, std::span<const Vec3> v);
+    /// Fits the limits of friction to how hard contacts push when vertices end at x (#V). Returns
+    /// the greatest change of a limit, N.
+    double fit_limits(std::span<const Vec3> x);
 
-    /// Writes what was carried over the substep, at its end state, to the contacts given to start.
-    void report(std::span<const Vec3> x,
-                std::span<const Vec3> v,
-                std::span<RestingContact> contacts) const;
+    /// Adds forces when vertices end at x (#V), N.
+    void add_forces(std::span<const Vec3> x, std::span<Vec3> forces) const;
+
+    /// Looks along x + share * motion (#V each, m); work_along is then the sum of force times
+    /// motion there, J.
+    void trace(std::span<const Vec3> x, std::span<const Vec3> motion);
+    double work_along(double share) const;
+
+    /// Counts the changes of the list: another number, other blocks.
+    int revision() const { return revision_; }
+
+    /// Blocks that contacts need in a matrix whose rows are those of the vertices.
+    void list_blocks(std::span<const Index> row_of_vertex, std::vector<BlockEntry>& entries) const;
+
+    /// Looks up where these blocks stand; those of vertices that are held are left out.
+    void find_places(std::span<const Index> row_of_vertex,
+                     std::span<const char> held,
+                     const BlockMatrix& matrix);
+
+    /// Adds scale * stiffness where vertices end at x to the blocks found.
+    void add_blocks(std::span<const Vec3> x, double scale, BlockMatrix& matrix);
+
+    /// Writes what was carried, when vertices end at x, to the list given to take().
+    void report(std::span<const Vec3> x, std::span<Contact> contacts) const;
 
 private:
-    struct Active {
-        Index contact; ///< of the list given to start
-        RestingContact geometry;
-        double stiffness; ///< N/m
-        double hold;      ///< damping across of a contact that holds, N s/m
-        double damping;   ///< across now, N s/m
+    struct Spring {
+        NormalLaw push;
+        FrictionLaw hold;
+        bool slides;
+    };
+    /// Where a contact stands when vertices end somewhere.
+    struct Place {
+        double approach; ///< nearer than the rest gap by this, m
+        Vec3 across;     ///< displacement of its friction spring, m
     };
 
-    double push(const Active& active, std::span<const Vec3> x) const;
-    Vec3 drag(const Active& active, std::span<const Vec3> v) const;
+    Place place(const Contact& contact, std::span<const Vec3> x) const;
+    Vec3 relative(const Contact& contact, std::span<const Vec3> values) const;
 
     std::vector<double> stiffness_;
-    std::vector<Active> active_;
-    std::vector<Vec3> start_;
+    std::span<const Vec3> start_;
     double dt_ = 0.0;
+    std::span<const Contact> contacts_;
+    std::vector<Spring> springs_; ///< of each contact
+    int revision_ = 0;
+    std::vector<std::array<Index, 16>> places_; ///< of each contact's blocks; k_no_index: none
+    std::vector<Mat3> blocks_;                  ///< of each contact
+    std::vector<Place> at_, along_; ///< of each contact: at x, and its change along the motion
 };
 
 } // namespace weft

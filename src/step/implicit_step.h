@@ -2,8 +2,7 @@
 
 #include "scene/params.h"
 #include "state/world.h"
-#include "step/conjugate_gradient.h"
-#include "step/contact_forces.h"
+#include "step/contact_newton.h"
 #include "step/force_system.h"
 
 namespace weft {
@@ -18,7 +17,8 @@ struct HeldVertices {
 struct ImplicitReport {
     int cg_iterations = 0;
     int newton_iterations = 0;
-    double residual = 0.0;  ///< relative, of the last linear solve
+    int contact_rounds = 0;
+    double residual = 0.0;  ///< relative, of the last balance
     bool converged = false; ///< false also when something is not finite
     double seconds_forces = 0.0, seconds_assembly = 0.0, seconds_solve = 0.0;
 };
@@ -39,27 +39,42 @@ class ImplicitStep {
 public:
     ImplicitStep(const World& world, const SceneParams& params);
 
-    /// Position and velocity at the end of a substep of length dt (s) as if nothing touched; the
-    /// world is not changed.
+    /// Position and velocity at the end of a substep of length dt (s) with the given contacts; the
+    /// world is not changed. Contacts receive what they carried.
     ImplicitReport solve(const World& world,
                          const HeldVertices& held,
                          double dt,
                          std::vector<Vec3>& end_positions,
                          std::vector<Vec3>& end_velocities,
-                         std::span<RestingContact> resting = {});
+                         std::span<Contact> contacts = {});
+
+    /// The same substep from where the last call left it, with contacts appended to its list. Adds
+    /// to the report.
+    void solve_again(const World& world,
+                     const HeldVertices& held,
+                     std::vector<Vec3>& end_positions,
+                     std::vector<Vec3>& end_velocities,
+                     std::span<Contact> contacts,
+                     ImplicitReport& report);
 
 private:
-    void start(const World& world, std::span<const RestingContact> resting, double dt);
+    void start(const World& world, double dt);
+    void finish(const World& world,
+                const HeldVertices& held,
+                std::vector<Vec3>& end_positions,
+                std::vector<Vec3>& end_velocities,
+                std::span<Contact> contacts,
+                ImplicitReport& report) const;
     bool newton_iteration(const HeldVertices& held, bool is_first, ImplicitReport& report);
-    void build_system(const HeldVertices& held, ImplicitReport& report);
-    bool linear_solve(double tolerance, ImplicitReport& report);
-    void add_best_fall(const HeldVertices& held);
+    void linearise(const HeldVertices& held, bool is_first, ImplicitReport& report);
+    void balance(const HeldVertices& held, ImplicitReport& report);
+    void fall(const HeldVertices& held);
     void find_residual();
-    void eliminate_held(const HeldVertices& held);
-    double line_search(double slope_start);
+    double eliminate_held(const HeldVertices& held);
+    LinearStep linear_step(const HeldVertices& held);
+    double line_search(std::span<const Vec3> from, double slope_start);
     void move_to(std::span<const Vec3> velocities, std::span<Vec3> positions) const;
     void to_rows(std::span<const Vec3> by_vertex, std::span<Vec3> by_row) const;
-    void to_vertices(std::span<const Vec3> by_row, std::span<Vec3> by_vertex) const;
 
     SceneParams params_;
     std::vector<double> masses_;
@@ -67,17 +82,17 @@ private:
     ForceSystem forces_;
     ContactForces contact_forces_;
     BlockMatrix matrix_;
-    IncompleteCholesky preconditioner_;
-    ConjugateGradient cg_;
+    ContactNewton newton_;
 
+    double dt_ = 0.0;
     double beta_ = 0.0;
-    double floor_ =
-        0.0; ///< impulse of gravity over a substep, N s: less than a share of it is noise
+    double floor_ = 0.0; ///< impulse of gravity over a substep, N s: less than a share of it is
+                         ///< noise
+    double scale_ = 0.0; ///< of the balance, N s
     std::vector<Vec3> x_base_, v_base_, guess_;
-    std::vector<Vec3> x_, v_, force_, element_force_, residual_,
-        change_; ///< of the current iterate, by vertex
-    std::vector<Vec3> trial_x_, trial_v_;
-    std::vector<Vec3> row_rhs_, row_change_, row_fall_, row_product_;
+    std::vector<Vec3> x_, v_, force_, residual_, change_; ///< of the current iterate, by vertex
+    std::vector<Vec3> linear_v_, trial_x_, trial_v_;
+    std::vector<Vec3> row_residual_, row_change_, row_product_;
     std::vector<double> diagonal_;
 };
 

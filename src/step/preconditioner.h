@@ -15,6 +15,9 @@ public:
     /// Numeric factor of `matrix`, whose pattern must stay that of the first call until `reset`.
     void factor(const BlockMatrix& matrix);
 
+    /// Forgets the pattern.
+    void reset() { inverse_diagonal_.clear(); }
+
     /// z = (L L^T)^-1 r.
     void apply(std::span<const Vec3> r, std::span<Vec3> z);
 

@@ -20,6 +20,10 @@ Checkpoint random_checkpoint(std::size_t vertices) {
             std::memcpy(value.data(), bits.data(), sizeof bits);
         }
     }
+    checkpoint.contact_memory.resize(vertices / 2);
+    for (ContactMemory& memory : checkpoint.contact_memory) {
+        memory = {{1, 2, 3, static_cast<Index>(random() % 100)}, 1e-3, checkpoint.positions[0], 1};
+    }
     return checkpoint;
 }
 
@@ -41,6 +45,10 @@ TEST(Checkpoint, GivesBackEveryBit) {
     EXPECT_TRUE(same_bits(read.velocities, checkpoint.velocities));
     EXPECT_TRUE(same_bits(read.previous_positions, checkpoint.previous_positions));
     EXPECT_TRUE(same_bits(read.previous_velocities, checkpoint.previous_velocities));
+    ASSERT_EQ(read.contact_memory.size(), checkpoint.contact_memory.size());
+    EXPECT_EQ(std::memcmp(read.contact_memory.data(), checkpoint.contact_memory.data(),
+                          read.contact_memory.size() * sizeof(ContactMemory)),
+              0);
 }
 
 TEST(Checkpoint, OfEqualStatesHasEqualBytes) {

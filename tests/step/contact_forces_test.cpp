@@ -2,111 +2,179 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 namespace weft {
 
 namespace {
 
-/// An edge of cloth, vertices 0 and 1, above an obstacle that moves.
-RestingContact edge_contact() {
-    return {.pair = {0, 1, 2, 3},
+/// An edge of cloth, vertices 0 and 1, over an obstacle that moves.
+Contact edge_on_obstacle() {
+    return {.pair = {0, 1, 4, 5},
+            .kind = PairKind::EdgeEdge,
             .vertices = {0, 1, k_no_index, k_no_index},
-            .weights = {0.3, 0.7, 0.0, 0.0},
-            .obstacle_velocity = Vec3(-0.02, 0.01, 0.03),
+            .weights = {0.3, 0.7, -0.4, -0.6},
             .normal = Vec3(1.0, 2.0, 2.0) / 3.0,
-            .depth = 2e-4,
+            .gap = 8e-4,
+            .thickness = 1e-3,
+            .rest = 1e-3,
+            .room = 7e-4,
             .mass = 1e-4,
-            .friction = 0.4};
+            .friction = 0.4,
+            .static_friction = 0.4,
+            .driven = Vec3(-2e-4, 1e-4, 3e-5)};
+}
+
+/// A vertex of cloth over a face of cloth.
+Contact vertex_on_face() {
+    return {.pair = {3, 0, 1, 2},
+            .kind = PairKind::VertexFace,
+            .vertices = {3, 0, 1, 2},
+            .weights = {1.0, -0.2, -0.5, -0.3},
+            .normal = Vec3(0.0, 1.0, 0.0),
+            .gap = 9e-4,
+            .thickness = 1e-3,
+            .rest = 1e-3,
+            .room = 7e-4,
+            .mass = 1e-4,
+            .friction = 0.3,
+            .static_friction = 0.5,
+            .driven = Vec3::Zero()};
 }
 
 constexpr double k_dt = 0.01;
 constexpr double k_stiffness = 500.0;
 
-struct Edge {
-    std::vector<Vec3> x{Vec3(0.0, 0.0, 0.0), Vec3(0.02, 0.0, 0.01)};
-    std::vector<Vec3> v{Vec3(0.001, 0.0, 0.002), Vec3(0.0, -0.001, 0.0)};
-    std::vector<RestingContact> contacts{edge_contact()};
-    ContactForces forces{{k_stiffness, k_stiffness}};
+struct Two {
+    std::vector<Vec3> start{Vec3(0.0, 0.0, 0.0), Vec3(0.02, 0.0, 0.01), Vec3(0.0, 0.0, 0.03),
+                            Vec3(0.01, 0.0009, 0.01)};
+    std::vector<Vec3> x = start;
+    std::vector<Contact> contacts{edge_on_obstacle(), vertex_on_face()};
+    ContactForces forces{std::vector<double>(4, k_stiffness)};
 
-    Edge() { forces.start(contacts, x, v, v, k_dt); }
+    Two() {
+        x[0] += Vec3(1e-5, -2e-5, 3e-5);
+        x[1] += Vec3(4e-5, -1e-5, -1e-5);
+        x[3] += Vec3(3e-5, -1e-4, 0.0);
+        forces.start(start, k_dt);
+        forces.take(contacts);
+        forces.fit_limits(x);
+    }
 
-    std::array<Vec3, 2> force(const std::vector<Vec3>& at, const std::vector<Vec3>& speed) const {
-        std::vector<Vec3> sum(2, Vec3::Zero());
-        forces.add_forces(at, speed, sum);
-        return {sum[0], sum[1]};
+    std::vector<Vec3> force(const std::vector<Vec3>& at) const {
+        std::vector<Vec3> sum(4, Vec3::Zero());
+        forces.add_forces(at, sum);
+        return sum;
     }
 };
 
 } // namespace
 
 TEST(ContactForces, BlocksAreTheDerivativesOfTheForces) {
-    const Edge edge;
-    const std::vector<BlockEntry> entries{{0, 1}};
-    const std::vector<Index> rows{0, 1};
-    BlockMatrix matrix = make_pattern(2, entries);
-    constexpr double beta = 0.007;
-    edge.forces.add_blocks(beta, rows, matrix);
+    Two two;
+    const std::vector<Index> rows{2, 0, 3, 1};
+    std::vector<BlockEntry> entries;
+    two.forces.list_blocks(rows, entries);
+    BlockMatrix matrix = make_pattern(4, entries);
+    two.forces.find_places(rows, std::vector<char>(4, 0), matrix);
+    two.forces.add_blocks(two.x, 1.0, matrix);
 
-    for (std::size_t j = 0; j < 2; ++j) {
+    for (std::size_t j = 0; j < 4; ++j) {
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
-            constexpr double step = 1e-6; // forces are linear: the difference has no other error
-            auto x = edge.x;
-            auto v = edge.v;
-            x[j][axis] += beta * beta * step;
-            v[j][axis] += beta * step;
-            const auto before = edge.force(edge.x, edge.v);
-            const auto after = edge.force(x, v);
-            for (std::size_t i = 0; i < 2; ++i) {
-                const Index place =
-                    find_block(matrix, static_cast<Index>(i), static_cast<Index>(j));
+            constexpr double step = 1e-9;
+            auto low = two.x;
+            auto high = two.x;
+            low[j][axis] -= step;
+            high[j][axis] += step;
+            const auto before = two.force(low);
+            const auto after = two.force(high);
+            for (std::size_t i = 0; i < 4; ++i) {
+                const Index place = find_block(matrix, rows[i], rows[j]);
+                ASSERT_NE(place, k_no_index);
                 const Vec3 expected = -matrix.blocks[static_cast<std::size_t>(place)].col(axis);
-                EXPECT_LT(((after[i] - before[i]) / step - expected).norm(), 1e-6);
+                EXPECT_LT(((after[i] - before[i]) / (2.0 * step) - expected).norm(), 1e-3);
             }
         }
     }
 }
 
-TEST(ContactForces, PushesOutOfTheObstacleInProportionToTheDepth) {
-    const Edge edge;
-    std::vector<Vec3> carried_along = edge.x; // moved as the obstacle's share says: the same depth
-    for (Vec3& x : carried_along) {
-        x -= k_dt * edge.contacts[0].obstacle_velocity;
+TEST(ContactForces, WorkAlongALineIsForceTimesMotion) {
+    Two two;
+    const std::vector<Vec3> motion{Vec3(1e-4, 0.0, 0.0), Vec3(0.0, -2e-4, 1e-5), Vec3::Zero(),
+                                   Vec3(1e-5, -3e-4, 2e-4)};
+    two.forces.trace(two.x, motion);
+
+    for (const double share : {0.0, 0.3, 1.0}) {
+        auto x = two.x;
+        for (std::size_t i = 0; i < 4; ++i) {
+            x[i] += share * motion[i];
+        }
+        const auto force = two.force(x);
+        double work = 0.0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            work += force[i].dot(motion[i]);
+        }
+        EXPECT_NEAR(two.forces.work_along(share), work, 1e-12);
     }
-    const std::vector<Vec3> still(2, Vec3(-edge.contacts[0].obstacle_velocity));
-
-    const auto force = edge.force(carried_along, still);
-
-    const Vec3 expected = k_stiffness * 2e-4 * edge.contacts[0].normal;
-    EXPECT_LT((force[0] - 0.3 * expected).norm(), 1e-12);
-    EXPECT_LT((force[1] - 0.7 * expected).norm(), 1e-12);
 }
 
-TEST(ContactForces, NeverPullsOnceRevised) {
-    Edge edge;
-    std::vector<Vec3> lifted = edge.x;
-    for (Vec3& x : lifted) {
-        x += 1e-3 * edge.contacts[0].normal;
-    }
+TEST(ContactForces, BetweenClothsKeepMomentum) {
+    const Two two;
+    std::vector<Vec3> only_cloth(4, Vec3::Zero());
+    ContactForces forces{std::vector<double>(4, k_stiffness)};
+    const std::vector<Contact> contacts{vertex_on_face()};
+    forces.start(two.start, k_dt);
+    forces.take(contacts);
+    forces.fit_limits(two.x);
+    forces.add_forces(two.x, only_cloth);
 
-    EXPECT_TRUE(edge.forces.revise(lifted, edge.v));
-
-    const auto force = edge.force(lifted, edge.v);
-    EXPECT_EQ(force[0], Vec3(Vec3::Zero()));
-    EXPECT_EQ(force[1], Vec3(Vec3::Zero()));
+    const Vec3 sum = only_cloth[0] + only_cloth[1] + only_cloth[2] + only_cloth[3];
+    EXPECT_GT(only_cloth[3].y(), 0.0);
+    EXPECT_LT(sum.norm(), 1e-15);
 }
 
-TEST(ContactForces, FrictionDoesNotExceedCoulombsConeOnceRevised) {
-    Edge edge;
-    const std::vector<Vec3> fast(2, Vec3(2.0, -1.0, 0.0)); // across the normal
+TEST(ContactForces, NeverPull) {
+    const Two two;
+    auto lifted = two.x;
+    for (const std::size_t i : {0, 1}) {
+        lifted[i] += 1e-2 * two.contacts[0].normal;
+    }
+    lifted[3] += Vec3(0.0, 2e-2, 0.0);
+    ContactForces forces{std::vector<double>(4, k_stiffness)};
+    forces.start(two.start, k_dt);
+    forces.take(two.contacts);
+    forces.fit_limits(lifted);
 
-    EXPECT_TRUE(edge.forces.revise(edge.x, fast));
+    std::vector<Vec3> sum(4, Vec3::Zero());
+    forces.add_forces(lifted, sum);
 
-    const auto force = edge.force(edge.x, fast);
-    const Vec3 total = force[0] + force[1];
-    const double along = total.dot(edge.contacts[0].normal);
-    EXPECT_GT(along, 0.0);
-    EXPECT_LE((total - along * edge.contacts[0].normal).norm(), 0.4 * along);
+    for (const Vec3& force : sum) {
+        EXPECT_EQ(force, Vec3(Vec3::Zero()));
+    }
+}
+
+TEST(ContactForces, FrictionOnceSlidingIsKineticAndUntilThenStatic) {
+    for (const double slip : {2e-5, 4e-5, 1e-3}) { // static limit: 0.5 of what pushes
+        Two two;
+        two.x = two.start;
+        two.x[3] += Vec3(slip, -1e-5, 0.0);
+        ContactForces forces{std::vector<double>(4, k_stiffness)};
+        std::vector<Contact> contacts{vertex_on_face()};
+        forces.start(two.start, k_dt);
+        forces.take(contacts);
+        forces.fit_limits(two.x);
+        forces.report(two.x, contacts);
+
+        const double push = contacts[0].impulse / k_dt;
+        const double drag = contacts[0].drag.norm() / k_dt;
+        const Vec3 moved = two.x[3] - two.start[3];
+        EXPECT_GT(push, 0.0);
+        if (k_stiffness * moved.x() <= 0.5 * push) {
+            EXPECT_FALSE(contacts[0].slides);
+            EXPECT_NEAR(drag, k_stiffness * moved.x(), 1e-12);
+        } else {
+            EXPECT_TRUE(contacts[0].slides);
+            EXPECT_NEAR(drag, 0.3 * push, 1e-12);
+        }
+    }
 }
 
 } // namespace weft

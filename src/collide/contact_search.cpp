@@ -1,0 +1,191 @@
+#include "collide/contact_search.h"
+
+#include "base/parallel.h"
+#include "collide/proximity.h"
+
+#include <algorithm>
+
+namespace weft {
+
+namespace {
+
+/// Share of the rest gap that pushing sides may use up. Larger: heavy loads are carried more
+/// softly; smaller: nothing is left between the least gap and where impacts are felt.
+constexpr double k_room = 0.7;
+
+constexpr std::size_t k_chunk_candidates = 512;
+
+std::size_t at(Index i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// Gap and motion of a pair whose closest points are those of `place`.
+Contact make_contact(const ContactSurface& surface,
+                     const Candidate& candidate,
+                     const Separation& place,
+                     double dt) {
+    const ContactRow row = make_row(surface, candidate, place, dt);
+    const PairRule& rule = surface.rules[at(candidate.rule)];
+    Contact contact{.pair = candidate.vertices,
+                    .kind = candidate.kind,
+                    .vertices = candidate.vertices,
+                    .weights = row.weights,
+                    .normal = row.normal,
+                    .gap = 0.0,
+                    .thickness = rule.thickness,
+                    .rest = rule.thickness,
+                    .room = k_room * rule.thickness,
+                    .mass = row.mass,
+                    .friction = rule.friction,
+                    .static_friction = rule.static_friction,
+                    .driven = Vec3::Zero()};
+    Vec3 apart = Vec3::Zero();
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Index v = candidate.vertices[i];
+        apart += row.weights[i] * surface.start[at(v)];
+        if (!surface.is_deformable(v)) {
+            contact.vertices[i] = k_no_index;
+            contact.driven += dt * row.weights[i] * surface.velocity[at(v)];
+        }
+    }
+    contact.gap = row.normal.dot(apart);
+    return contact;
+}
+
+const ContactMemory* find_memory(std::span<const ContactMemory> memory,
+                                 const std::array<Index, 4>& pair) {
+    const auto found =
+        std::lower_bound(memory.begin(), memory.end(), pair,
+                         [](const ContactMemory& one, const auto& key) { return one.pair < key; });
+    return found != memory.end() && found->pair == pair ? &*found : nullptr;
+}
+
+} // namespace
+
+void ContactSearch::note_rest_of_vertices(const ContactSurface& surface,
+                                          std::span<const ContactMemory> memory) {
+    rest_of_vertex_.assign(at(surface.deformable_vertices), 0.0);
+    for (const ContactMemory& one : memory) {
+        for (const Index v : one.pair) {
+            if (surface.is_deformable(v)) {
+                rest_of_vertex_[at(v)] = std::max(rest_of_vertex_[at(v)], one.rest);
+            }
+        }
+    }
+}
+
+double ContactSearch::rest_beside(const ContactSurface& surface,
+                                  const std::array<Index, 4>& pair) const {
+    double rest = 0.0;
+    for (const Index v : pair) {
+        if (surface.is_deformable(v)) {
+            rest = std::max(rest, rest_of_vertex_[at(v)]);
+        }
+    }
+    return rest;
+}
+
+void ContactSearch::recall(const ContactSurface& surface,
+                           std::span<const ContactMemory> memory,
+                           double dt,
+                           Contact& contact) const {
+    double rest = std::max(contact.gap, rest_beside(surface, contact.pair));
+    if (const ContactMemory* known = find_memory(memory, contact.pair)) {
+        rest = known->rest;
+        contact.slip = known->slip - contact.normal.dot(known->slip) * contact.normal;
+        contact.slides = known->slides != 0;
+    }
+    rest = std::min(rest, contact.thickness);
+    contact.rest = rest + (contact.thickness - rest) * parting_share(dt);
+    contact.room = k_room * contact.rest;
+}
+
+void ContactSearch::find(const ContactSurface& surface,
+                         std::span<const Candidate> candidates,
+                         std::span<const ContactMemory> memory,
+                         double dt,
+                         std::vector<Contact>& contacts) {
+    note_rest_of_vertices(surface, memory);
+    const std::size_t chunks = (candidates.size() + k_chunk_candidates - 1) / k_chunk_candidates;
+    found_.resize(std::max(found_.size(), chunks));
+    parallel_chunks(
+        candidates.size(),
+        [&](std::size_t begin, std::size_t end) {
+            auto& out = found_[begin / k_chunk_candidates];
+            out.clear();
+            for (const Candidate& candidate : candidates.subspan(begin, end - begin)) {
+                const auto place = near_place(surface, candidate);
+                if (place && place->distance > 0.0) {
+                    Contact contact = make_contact(surface, candidate, *place, dt);
+                    if (contact.mass > 0.0) {
+                        recall(surface, memory, dt, contact);
+                        out.push_back(contact);
+                    }
+                }
+            }
+        },
+        k_chunk_candidates);
+    contacts.clear();
+    for (std::size_t c = 0; c < chunks; ++c) {
+        contacts.insert(contacts.end(), found_[c].begin(), found_[c].end());
+    }
+}
+
+Contact make_impact_contact(const ContactSurface& surface,
+                            const Candidate& candidate,
+                            double toi,
+                            double dt) {
+    const PairPoints start = start_points(surface, candidate.vertices);
+    const PairPoints motion = displacements(surface, candidate.vertices, dt);
+    PairPoints x = start;
+    for (std::size_t i = 0; i < 4; ++i) {
+        x[i] += toi * motion[i];
+    }
+    Contact contact = make_contact(surface, candidate, separation(candidate.kind, x), dt);
+    contact.met = true;
+    contact.rest = std::min(contact.rest, contact.gap);
+    contact.room = std::min(contact.room, k_room * separation(candidate.kind, start).distance);
+    return contact;
+}
+
+void remember(std::span<const Contact> contacts,
+              std::span<const Vec3> start,
+              std::span<const Vec3> end,
+              std::vector<ContactMemory>& memory) {
+    memory.clear();
+    for (const Contact& contact : contacts) {
+        Vec3 moved = contact.driven;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const Index v = contact.vertices[i];
+            if (v != k_no_index) {
+                moved += contact.weights[i] * (end[at(v)] - start[at(v)]);
+            }
+        }
+        const double gap = contact.gap + contact.normal.dot(moved);
+        if (contact.impulse > 0.0) {
+            const double rest = contact.met ? std::min(contact.rest, gap) : contact.rest;
+            memory.push_back({contact.pair, rest, contact.slip, contact.slides ? 1 : 0});
+        } else if (!contact.met && contact.rest < contact.thickness && gap < contact.thickness) {
+            memory.push_back({contact.pair, contact.rest, Vec3::Zero(), 0});
+        }
+    }
+    // Of several that met in one pair the first stays.
+    std::stable_sort(memory.begin(), memory.end(),
+                     [](const auto& a, const auto& b) { return a.pair < b.pair; });
+    memory.erase(std::unique(memory.begin(), memory.end(),
+                             [](const auto& a, const auto& b) { return a.pair == b.pair; }),
+                 memory.end());
+}
+
+ContactRow guard_row(const Contact& contact, double dt) {
+    const double least_gap = std::min((1.0 - k_room) * contact.thickness, 0.8 * contact.gap);
+    return {.vertices = contact.pair,
+            .weights = contact.weights,
+            .kind = contact.kind,
+            .normal = contact.normal,
+            .mass = contact.mass,
+            .least_speed = (least_gap - contact.gap) / dt,
+            .friction = 0.0};
+}
+
+} // namespace weft

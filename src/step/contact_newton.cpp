@@ -1,0 +1,195 @@
+#include "step/contact_newton.h"
+
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace weft {
+
+namespace {
+
+/// Rounds at most. What is not balanced then is small, and is balanced in the next substep.
+constexpr int k_most_rounds = 16;
+
+/// How much better each round's linear solve leaves the balance, at best. Nearer to 1: more rounds;
+/// smaller: solves for contacts that the round lets go of.
+constexpr double k_forcing = 0.03;
+
+/// A full Newton change is taken when the slope of the potential has fallen to this share.
+constexpr double k_slope_share = 0.1;
+constexpr int k_most_cuts = 40;
+
+std::size_t at(Index i) {
+    return static_cast<std::size_t>(i);
+}
+
+double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
+    return parallel_sum(a.size(), [&](std::size_t i) { return a[i].dot(b[i]); });
+}
+
+} // namespace
+
+/// imbalance_ = residual + beta f_contact; returns its norm.
+double ContactNewton::find_imbalance(const LinearStep& step, const ContactForces& contact) {
+    imbalance_.assign(step.residual.begin(), step.residual.end());
+    if (!contact.empty()) {
+        forces_.assign(step.x.size(), Vec3::Zero());
+        contact.add_forces(step.x, forces_);
+        parallel_for(forces_.size(), [&](std::size_t v) {
+            if (step.held[v] == 0) {
+                imbalance_[at(step.row_of_vertex[v])] += step.beta * forces_[v];
+            }
+        });
+    }
+    return std::sqrt(dot(imbalance_, imbalance_));
+}
+
+/// The step's matrix, with what contacts add.
+const BlockMatrix&
+ContactNewton::build_matrix(const LinearStep& step, ContactForces& contact, BalanceReport& report) {
+    const Stopwatch watch;
+    const bool coupled = !contact.empty();
+    bool same_pattern = coupled == was_coupled_;
+    if (coupled) {
+        if (contact.revision() != revision_) {
+            revision_ = contact.revision();
+            contact.list_blocks(step.row_of_vertex, joined_);
+            same_pattern = !coupled_.couple(*step.matrix, joined_) && same_pattern;
+            contact.find_places(step.row_of_vertex, step.held, coupled_.matrix());
+        }
+        coupled_.load(*step.matrix);
+        contact.add_blocks(step.x, step.beta * step.beta, coupled_.matrix());
+    }
+    if (!same_pattern) {
+        preconditioner_.reset();
+    }
+    was_coupled_ = coupled;
+    report.seconds_assembly += watch.seconds();
+    return coupled ? coupled_.matrix() : *step.matrix;
+}
+
+bool ContactNewton::find_direction(const LinearStep& step,
+                                   ContactForces& contact,
+                                   double imbalance,
+                                   BalanceReport& report) {
+    const BlockMatrix& matrix = build_matrix(step, contact, report);
+    const Stopwatch watch;
+    preconditioner_.factor(matrix);
+    const double target = contact.empty() ? 0.9 * step.tolerance
+                                          : std::max(0.5 * step.tolerance, k_forcing * imbalance);
+    direction_.assign(imbalance_.size(), Vec3::Zero());
+    const CgReport cg = cg_.solve(matrix, preconditioner_, imbalance_, direction_,
+                                  {.tolerance = target / imbalance});
+    report.cg_iterations += cg.iterations;
+    report.seconds_solve += watch.seconds();
+    return cg.converged;
+}
+
+/// Share in (0, 1] of the direction at which the slope of the potential has all but vanished.
+/// @param slope, curvature  of the step alone along the direction
+double
+ContactNewton::best_share(const ContactForces& contact, double slope, double curvature) const {
+    const auto slope_at = [&](double share) {
+        return slope + share * curvature - contact.work_along(share);
+    };
+    const double enough = k_slope_share * std::abs(slope_at(0.0));
+    double high = 1.0;
+    double slope_high = slope_at(high);
+    if (slope_high <= enough) {
+        return high;
+    }
+    double low = 0.0;
+    double slope_low = slope_at(low);
+    double share = high;
+    for (int i = 0; i < k_most_cuts; ++i) {
+        // The root of the secant, but well inside the bracket: slopes have kinks.
+        const double secant = low - slope_low * (high - low) / (slope_high - slope_low);
+        share = std::clamp(secant, low + 0.1 * (high - low), high - 0.1 * (high - low));
+        const double here = slope_at(share);
+        if (std::abs(here) <= enough) {
+            break;
+        }
+        (here < 0.0 ? low : high) = share;
+        (here < 0.0 ? slope_low : slope_high) = here;
+    }
+    return share;
+}
+
+void ContactNewton::move_along(const LinearStep& step,
+                               ContactForces& contact,
+                               std::span<const Vec3> direction) {
+    product_.resize(direction.size());
+    multiply(*step.matrix, direction, product_);
+    motion_.resize(step.x.size());
+    parallel_for(motion_.size(), [&](std::size_t v) {
+        motion_[v] = step.beta * direction[at(step.row_of_vertex[v])];
+    });
+    const double slope = -dot(step.residual, direction);
+    const double curvature = dot(direction, product_);
+    if (!(curvature > 0.0)) {
+        return;
+    }
+    contact.trace(step.x, motion_);
+    const double share =
+        contact.empty() ? -slope / curvature : best_share(contact, slope, curvature);
+    parallel_for(motion_.size(), [&](std::size_t v) {
+        const std::size_t row = at(step.row_of_vertex[v]);
+        step.x[v] += share * motion_[v];
+        step.v[v] += share * direction[row];
+        step.residual[row] -= share * product_[row];
+    });
+}
+
+/// What moves freely keeps its momentum to the last bits, however well the solves were ended: the
+/// imbalance that is left as a whole goes into a translation, which strains nothing.
+void ContactNewton::keep_momentum(const LinearStep& step, const ContactForces& contact) {
+    const bool free = std::find(step.held.begin(), step.held.end(), 1) == step.held.end();
+    if (!free || !contact.is_internal()) {
+        return;
+    }
+    find_imbalance(step, contact);
+    const auto add = [](const auto& a, const auto& b) { return (a + b).eval(); };
+    const Vec3 left = parallel_reduce(
+        imbalance_.size(), Vec3(Vec3::Zero()), [&](std::size_t r) { return imbalance_[r]; }, add);
+    const Mat3 inertia = parallel_reduce(
+        step.matrix->blocks.size(), Mat3(Mat3::Zero()),
+        [&](std::size_t k) { return step.matrix->blocks[k]; }, add);
+    const Vec3 change = inertia.ldlt().solve(left);
+    parallel_for(step.v.size(), [&](std::size_t v) {
+        step.v[v] += change;
+        step.x[v] += step.beta * change;
+    });
+    direction_.assign(imbalance_.size(), change);
+    product_.resize(imbalance_.size());
+    multiply(*step.matrix, direction_, product_);
+    parallel_for(product_.size(), [&](std::size_t r) { step.residual[r] -= product_[r]; });
+}
+
+BalanceReport ContactNewton::solve(const LinearStep& step, ContactForces& contact) {
+    BalanceReport report;
+    while (true) {
+        contact.fit_limits(step.x);
+        report.imbalance = find_imbalance(step, contact);
+        report.converged = std::isfinite(report.imbalance);
+        if (!report.converged || report.imbalance <= step.tolerance ||
+            report.rounds == k_most_rounds) {
+            break;
+        }
+        if (!find_direction(step, contact, report.imbalance, report)) {
+            report.converged = false;
+            break;
+        }
+        move_along(step, contact, direction_);
+        ++report.rounds;
+    }
+    if (report.converged) {
+        keep_momentum(step, contact);
+    }
+    return report;
+}
+
+} // namespace weft

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "step/conjugate_gradient.h"
+#include "step/contact_forces.h"
+#include "step/coupled_matrix.h"
+
+namespace weft {
+
+/// A linearised step, by row of its matrix: what is left to balance is
+///
+///     residual + beta f_contact(x) = 0,    residual = r - A c,    x = x_base + beta (v + c)
+///
+/// and a further change d of velocities takes A d from `residual` and adds beta d to x. Rows of
+/// held vertices are the identity and their residual is zero.
+struct LinearStep {
+    const BlockMatrix* matrix;
+    std::span<const Index> row_of_vertex;
+    std::span<const char> held; ///< by vertex
+    double beta;                ///< s
+    double tolerance;           ///< of the balance, N s
+    std::span<Vec3> residual;   ///< by row, N s
+    std::span<Vec3> x;          ///< by vertex: where vertices end, m
+    std::span<Vec3> v;          ///< by vertex: with which velocity, m/s
+};
+
+/// What it took.
+struct BalanceReport {
+    int rounds = 0;
+    int cg_iterations = 0;
+    double imbalance = 0.0; ///< N s, at the end
+    bool converged = false; ///< of the linear solves
+    double seconds_assembly = 0.0, seconds_solve = 0.0;
+};
+
+/// Balances a linearised step with contact: Newton's method on the convex potential that both have
+/// while the limits of friction stand, with an exact line search (along a line the step is a
+/// parabola and contact costs one pass over the contacts), the limits fitted anew in each round.
+/// Rounds are solved only as well as it takes (inexact Newton).
+class ContactNewton {
+public:
+    /// From where the step stands to the balance. Deterministic.
+    BalanceReport solve(const LinearStep& step, ContactForces& contact);
+
+    /// Moves along `direction` (by row, 0 for held rows) as far as lowers the potential most.
+    void
+    move_along(const LinearStep& step, ContactForces& contact, std::span<const Vec3> direction);
+
+private:
+    void keep_momentum(const LinearStep& step, const ContactForces& contact);
+    double find_imbalance(const LinearStep& step, const ContactForces& contact);
+    bool find_direction(const LinearStep& step,
+                        ContactForces& contact,
+                        double imbalance,
+                        BalanceReport& report);
+    const BlockMatrix&
+    build_matrix(const LinearStep& step, ContactForces& contact, BalanceReport& report);
+    double best_share(const ContactForces& contact, double slope, double curvature) const;
+
+    CoupledMatrix coupled_;
+    IncompleteCholesky preconditioner_;
+    ConjugateGradient cg_;
+    bool was_coupled_ = false;
+    int revision_ = -1; ///< of the contacts whose blocks are coupled
+    std::vector<BlockEntry> joined_;
+    std::vector<Vec3> imbalance_, direction_, product_; ///< by row
+    std::vector<Vec3> forces_, motion_;                 ///< by vertex
+};
+
+} // namespace weft
