@@ -3,6 +3,7 @@
 #include "geometry/weld.h"
 
 #include <algorithm>
+#include <map>
 
 namespace weft {
 
@@ -71,17 +72,42 @@ std::size_t drop_unused_vertices(JoinedMesh& joined) {
     return dropped;
 }
 
-void weld_mesh(JoinedMesh& joined, double tolerance) {
-    Weld welded = weld_vertices(joined.mesh.positions, tolerance);
-    joined.mesh.positions = std::move(welded.positions);
-    renumber(joined.mesh, welded.new_index);
-    std::size_t kept = 0;
-    for (std::size_t v = 0; v < welded.new_index.size(); ++v) {
-        if (static_cast<std::size_t>(welded.new_index[v]) == kept) {
-            joined.sources[kept++] = joined.sources[v];
+void weld_mesh(JoinedMesh& joined, double tolerance, std::span<const Index> groups) {
+    std::vector<Vec3>& positions = joined.mesh.positions;
+    std::map<Index, std::vector<Index>> members; // of each group, ascending
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+        const auto object = static_cast<std::size_t>(joined.sources[v].object);
+        members[groups.empty() ? 0 : groups[object]].push_back(static_cast<Index>(v));
+    }
+    std::vector<Index> stands_for(positions.size(), k_no_index); // the first of those joined
+    for (const auto& [group, vertices] : members) {
+        std::vector<Vec3> places;
+        for (const Index v : vertices) {
+            places.push_back(positions[static_cast<std::size_t>(v)]);
+        }
+        const Weld weld = weld_vertices(places, tolerance);
+        std::vector<Index> first(weld.positions.size(), k_no_index);
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            Index& of_place = first[static_cast<std::size_t>(weld.new_index[i])];
+            of_place = of_place == k_no_index ? vertices[i] : of_place;
+            stands_for[static_cast<std::size_t>(vertices[i])] = of_place;
         }
     }
+    std::vector<Index> new_index(positions.size());
+    std::size_t kept = 0;
+    for (std::size_t v = 0; v < new_index.size(); ++v) {
+        const auto first = static_cast<std::size_t>(stands_for[v]);
+        if (first == v) {
+            positions[kept] = positions[v];
+            joined.sources[kept] = joined.sources[v];
+            new_index[v] = static_cast<Index>(kept++);
+        } else {
+            new_index[v] = new_index[first];
+        }
+    }
+    positions.resize(kept);
     joined.sources.resize(kept);
+    renumber(joined.mesh, new_index);
 }
 
 void drop_triangles(JoinedMesh& joined, std::span<const Index> numbers) {

@@ -29,8 +29,11 @@ join_objects(const MeshFile& file, std::span<const std::size_t> chosen, const Ma
 /// Drops vertices that no triangle uses, keeping the order of the others; returns how many.
 std::size_t drop_unused_vertices(JoinedMesh& joined);
 
-/// Joins vertices within `tolerance` (m) of one another; see weld_vertices().
-void weld_mesh(JoinedMesh& joined, double tolerance);
+/// Joins vertices within `tolerance` (m) of one another; see weld_vertices(). Those of objects in
+/// different groups stay apart.
+///
+/// @param groups  one an object of the file; empty: all are one
+void weld_mesh(JoinedMesh& joined, double tolerance, std::span<const Index> groups = {});
 
 /// Drops triangles by number; `numbers` ascending and unique.
 void drop_triangles(JoinedMesh& joined, std::span<const Index> numbers);

@@ -4,6 +4,7 @@
 #include "geometry/weld.h"
 #include "scene/joined_mesh.h"
 #include "scene/likely_unit.h"
+#include "scene/rig_pose.h"
 
 #include <fmt/core.h>
 
@@ -36,7 +37,8 @@ public:
         }
         joined_ = join_objects(file_, chosen_, to_world);
         drop_unused();
-        weld_mesh(joined_, k_weld_share * bounding_diagonal(joined_.mesh.positions));
+        weld_mesh(joined_, k_weld_share * bounding_diagonal(joined_.mesh.positions),
+                  file_.rig ? motion_groups(*file_.rig) : std::vector<Index>());
         if (source_.repair) {
             repair();
         }

@@ -135,6 +135,25 @@ void pose_vertices(const Rig& rig,
     });
 }
 
+std::vector<Index> motion_groups(const Rig& rig) {
+    constexpr Index k_skinned = -2;
+    std::vector<char> is_animated(rig.nodes.size(), 0);
+    for (const Animation& animation : rig.animations) {
+        for (const NodeChannel& channel : animation.channels) {
+            is_animated[at(channel.node)] = 1;
+        }
+    }
+    std::vector<Index> groups;
+    for (const RigPart& part : rig.parts) {
+        Index node = part.node;
+        while (node != k_no_index && !is_animated[at(node)]) {
+            node = rig.nodes[at(node)].parent;
+        }
+        groups.push_back(part.bones.empty() ? node : k_skinned);
+    }
+    return groups;
+}
+
 std::uint64_t fingerprint(const Rig& rig, const Animation& animation) {
     Hash hash;
     for (const RigNode& node : rig.nodes) {

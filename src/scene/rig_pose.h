@@ -26,6 +26,11 @@ void pose_vertices(const Rig& rig,
                    std::span<const SourceVertex> vertices,
                    std::span<Vec3> positions);
 
+/// Parts that may be sewn where they meet have the same number: those with bones, and of the others
+/// those that hang on the same animated node (or on none). Others only touch, and part when they
+/// move.
+std::vector<Index> motion_groups(const Rig& rig);
+
 /// Differs where any of the numbers of a rig or an animation differs.
 std::uint64_t fingerprint(const Rig& rig, const Animation& animation);
 

@@ -1,4 +1,5 @@
 #include "scene/animation_choice.h"
+#include "scene/joined_mesh.h"
 #include "scene/rig_pose.h"
 #include "support/real_models.h"
 #include "support/temp_folder.h"
@@ -254,6 +255,35 @@ TEST(Rig, SeesWhichVerticesAnAnimationMoves) {
     cylinder.animation.channels[0].node = 3;
 
     EXPECT_FALSE(animates(cylinder.rig, cylinder.animation, cylinder.vertices));
+}
+
+TEST(Rig, PartsThatMoveApartAreNotSewnWhereTheyMeet) {
+    // Two triangles with a common edge: as parts of one node they share two vertices, not so when
+    // one turns.
+    Rig rig;
+    rig.nodes = {{"root", k_no_index, Affine::Identity()},
+                 {"frame", 0, Affine::Identity()},
+                 {"door", 0, Affine::Identity()}};
+    rig.parts.resize(2);
+    rig.parts[0].node = 1;
+    rig.parts[1].node = 2;
+    const auto welded = [&] {
+        JoinedMesh joined;
+        joined.mesh.positions = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
+        joined.mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+        joined.sources = {{0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 1}, {1, 2}};
+        weld_mesh(joined, 1e-6, motion_groups(rig));
+        return joined;
+    };
+    EXPECT_EQ(welded().mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 1, 3}}));
+    EXPECT_EQ(welded().sources[3], (SourceVertex{1, 2}));
+
+    rig.animations.push_back({.name = "open"});
+    rig.animations[0].channels = {channel_of(2, Vec3::Zero(), {{0.0}, {about_z(0.0)}})};
+    EXPECT_EQ(welded().mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {3, 4, 5}}));
+
+    rig.parts[0].bones = rig.parts[1].bones = {{1, Affine::Identity()}};
+    EXPECT_EQ(welded().mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 1, 3}}));
 }
 
 TEST(Rig, FingerprintTellsEveryKey) {
