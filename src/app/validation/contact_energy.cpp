@@ -6,9 +6,12 @@
 
 #include <fmt/core.h>
 
+#include <array>
+
 /// Energy of cloth that touches resting bodies and itself: kinetic, elastic and of height, looked
 /// at after every substep. Nothing does work on it, so that it can only fall, but for what contact
-/// stores between two substeps.
+/// stores between two substeps. With one linearisation a substep the membrane itself can gain from
+/// a sudden turn; solved to convergence, a gain is contact's.
 namespace weft {
 
 namespace {
@@ -68,10 +71,11 @@ double energy(const World& world, const Vec3& gravity) {
 }
 
 /// The greatest rise of the energy above the least so far, as a share of what is lost in all.
-double greatest_return(World world, int substeps, const Vec3& gravity) {
+double greatest_return(World world, int substeps, int newton, const Vec3& gravity) {
     SceneParams space = contact_space(1);
     space.fps = k_frame_rate * substeps; // a frame is a substep
     space.gravity = gravity;
+    space.newton = newton;
     Stepper stepper(world, space, {});
     const double start = energy(world, gravity);
     double least = start;
@@ -85,27 +89,38 @@ double greatest_return(World world, int substeps, const Vec3& gravity) {
     return greatest / (start - least);
 }
 
-ValidationRow row(std::string what, const World& world, const Repeat& repeat, double gravity) {
-    return {.what = std::move(what),
-            .measured = greatest_return(world, repeat.substeps, Vec3(0.0, -gravity, 0.0)),
+struct Case {
+    const char* name;
+    World (*build)(const SheetMesh&);
+    double gravity; // m/s^2
+};
+constexpr std::array k_cases{
+    Case{"sheet falls on a sphere", sheet_over_sphere, k_gravity},
+    Case{"three sheets fall on a floor", three_on_the_floor, k_gravity},
+    Case{"two sheets meet in empty space", meeting_sheets, 0.0},
+};
+
+ValidationRow row(const Case& one, const Repeat& repeat, int newton) {
+    const auto& [pattern, cells] = repeat.mesh;
+    return {.what = fmt::format("energy that came back: {}", one.name),
+            .measured = greatest_return(one.build(repeat.mesh), repeat.substeps, newton,
+                                        Vec3(0.0, -one.gravity, 0.0)),
             .tolerance = 1e-3,
             .relative = false,
-            .note = fmt::format("{} substeps; {} {} x {}", repeat.substeps,
-                                name_of(repeat.mesh.pattern), 2 * repeat.mesh.cells,
-                                2 * repeat.mesh.cells)};
+            .note = fmt::format("newton {}; {} substeps; {} {} x {}", newton, repeat.substeps,
+                                name_of(pattern), 2 * cells, 2 * cells)};
 }
 
 } // namespace
 
 ValidationRows validate_contact_energy(bool thorough) {
     ValidationRows rows;
-    for (const Repeat& repeat : few_repeats(thorough)) {
-        rows.push_back(row("energy that came back: sheet falls on a sphere",
-                           sheet_over_sphere(repeat.mesh), repeat, k_gravity));
-        rows.push_back(row("energy that came back: three sheets fall on a floor",
-                           three_on_the_floor(repeat.mesh), repeat, k_gravity));
-        rows.push_back(row("energy that came back: two sheets meet in empty space",
-                           meeting_sheets(repeat.mesh), repeat, 0.0));
+    for (const int newton : {10, 1}) {
+        for (const Repeat& repeat : few_repeats(thorough)) {
+            for (const Case& one : k_cases) {
+                rows.push_back(row(one, repeat, newton));
+            }
+        }
     }
     return rows;
 }
