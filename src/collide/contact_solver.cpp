@@ -4,6 +4,7 @@
 #include "collide/crossings.h"
 #include "collide/impact.h"
 #include "collide/islands.h"
+#include "collide/left_pairs.h"
 #include "collide/proximity.h"
 
 #include <fmt/core.h>
@@ -285,6 +286,12 @@ void ContactSolver::Impl::measure_end(double dt,
     if (!clean) {
         const auto crossings = crossing_search.find(surface, ends);
         report.unresolved = std::max(left, static_cast<int>(crossings.size()));
+        if (left > 0) {
+            report.problems = describe_left(surface, candidates, impacts, ends);
+        }
+        for (const auto& pair : crossings) {
+            report.problems.push_back(describe_crossing(surface, ends, pair));
+        }
     }
     if (report.unresolved == 0) {
         clean_start = surface.start;

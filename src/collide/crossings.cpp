@@ -25,8 +25,11 @@ SharedCorners shared_corners(const ContactSurface& surface, const Triangle& s, c
     return shared;
 }
 
-ContactProblem
-describe(const ContactSurface& surface, std::span<const Vec3> x, const std::array<Index, 2>& pair) {
+} // namespace
+
+ContactProblem describe_crossing(const ContactSurface& surface,
+                                 std::span<const Vec3> x,
+                                 const std::array<Index, 2>& pair) {
     ContactProblem crossing{
         .objects{},
         .triangles{},
@@ -38,8 +41,6 @@ describe(const ContactSurface& surface, std::span<const Vec3> x, const std::arra
     }
     return crossing;
 }
-
-} // namespace
 
 bool triangles_cross(const ContactSurface& surface,
                      Index s,
@@ -114,7 +115,7 @@ std::vector<ContactProblem> WorldCrossings::find(const World& world, double time
     join_seams(surface_, world);
     std::vector<ContactProblem> crossings;
     for (const auto& pair : search_.find(surface_, surface_.start)) {
-        crossings.push_back(describe(surface_, surface_.start, pair));
+        crossings.push_back(describe_crossing(surface_, surface_.start, pair));
     }
     return crossings;
 }

@@ -32,6 +32,11 @@ private:
     std::vector<std::vector<std::array<Index, 2>>> found_; ///< a task
 };
 
+/// What is told of two triangles of the surface that cross at `positions`.
+ContactProblem describe_crossing(const ContactSurface& surface,
+                                 std::span<const Vec3> positions,
+                                 const std::array<Index, 2>& pair);
+
 /// The same search in a world as it stands: for tests and `--verify`, apart from the solver that it
 /// checks.
 class WorldCrossings {
