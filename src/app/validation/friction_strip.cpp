@@ -23,7 +23,7 @@ constexpr double k_start = 0.5 * k_bow * k_bow * 12.0 / 35.0; // shortening that
 constexpr double k_end = 0.35;
 constexpr int k_frames = 100;        // 4 s: slow against the strip's period of 0.1 s
 constexpr double k_reference = 0.05; // shortening from which slip counts: the start has settled
-constexpr double k_slip = 0.005;     // of the length
+constexpr double k_slip = 0.001;     // of the length
 
 /// Sideways place and its slope of a strip that starts bowed, u from clamp to foot: the shape of a
 /// beam clamped there and hinged here.
