@@ -15,9 +15,11 @@ namespace {
 /// Rounds at most. What is not balanced then is small, and is balanced in the next substep.
 constexpr int k_most_rounds = 16;
 
-/// How much better each round's linear solve leaves the balance, at best. Nearer to 1: more rounds;
-/// smaller: solves for contacts that the round lets go of.
-constexpr double k_forcing = 0.03;
+/// How much better each round's linear solve makes the balance: half of what the last round did,
+/// as what is solved better than the contacts still change is wasted (Eisenstat and Walker 1996).
+constexpr double k_first_forcing = 0.2;
+constexpr double k_least_forcing = 0.03;
+constexpr double k_greatest_forcing = 0.3;
 
 /// A full Newton change is taken when the slope of the potential has fallen to this share.
 constexpr double k_slope_share = 0.1;
@@ -74,16 +76,17 @@ ContactNewton::build_matrix(const LinearStep& step, ContactForces& contact, Bala
 
 bool ContactNewton::find_direction(const LinearStep& step,
                                    ContactForces& contact,
-                                   double imbalance,
+                                   double forcing,
                                    BalanceReport& report) {
     const BlockMatrix& matrix = build_matrix(step, contact, report);
     const Stopwatch watch;
     preconditioner_.factor(matrix);
-    const double target = contact.empty() ? 0.9 * step.tolerance
-                                          : std::max(0.5 * step.tolerance, k_forcing * imbalance);
+    const double target = contact.empty()
+                              ? 0.9 * step.tolerance
+                              : std::max(0.5 * step.tolerance, forcing * report.imbalance);
     direction_.assign(imbalance_.size(), Vec3::Zero());
     const CgReport cg = cg_.solve(matrix, preconditioner_, imbalance_, direction_,
-                                  {.tolerance = target / imbalance});
+                                  {.tolerance = target / report.imbalance});
     report.cg_iterations += cg.iterations;
     report.seconds_solve += watch.seconds();
     return cg.converged;
@@ -171,15 +174,21 @@ void ContactNewton::keep_momentum(const LinearStep& step, const ContactForces& c
 
 BalanceReport ContactNewton::solve(const LinearStep& step, ContactForces& contact) {
     BalanceReport report;
+    double forcing = k_first_forcing;
     while (true) {
         contact.fit_limits(step.x);
+        const double before = report.imbalance;
         report.imbalance = find_imbalance(step, contact);
+        if (report.rounds > 0) {
+            forcing = std::clamp(0.5 * report.imbalance / before, k_least_forcing,
+                                 k_greatest_forcing);
+        }
         report.converged = std::isfinite(report.imbalance);
         if (!report.converged || report.imbalance <= step.tolerance ||
             report.rounds == k_most_rounds) {
             break;
         }
-        if (!find_direction(step, contact, report.imbalance, report)) {
+        if (!find_direction(step, contact, forcing, report)) {
             report.converged = false;
             break;
         }

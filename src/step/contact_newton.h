@@ -50,7 +50,7 @@ private:
     double find_imbalance(const LinearStep& step, const ContactForces& contact);
     bool find_direction(const LinearStep& step,
                         ContactForces& contact,
-                        double imbalance,
+                        double forcing,
                         BalanceReport& report);
     const BlockMatrix&
     build_matrix(const LinearStep& step, ContactForces& contact, BalanceReport& report);
