@@ -31,6 +31,7 @@ struct ContactReport {
     int impacts = 0;                        ///< met by continuous detection after the solve
     int zones = 0;                          ///< impact zones that impulses could not resolve
     int scaled_islands = 0;                 ///< fail-safe: islands whose motion was cut back
+    bool was_clean = true;                  ///< nothing crossed when the substep started
     int unresolved = 0;                     ///< pairs that cross, or would, after all stages
     std::vector<ContactProblem> problems{}; ///< these pairs, as far as they are known
     double min_gap =

@@ -71,8 +71,9 @@ struct ContactSolver::Impl {
     std::vector<Candidate> candidates;
     std::vector<ContactRow> proximities, impact_rows;
     std::vector<Impact> impacts;
-    std::vector<char> look; ///< #V of the surface: changed since the last search
-    std::vector<Vec3> ends; ///< #V of the surface: positions after the substep
+    std::vector<char> look;            ///< #V of the surface: changed since the last search
+    std::vector<Vec3> solved_velocity; ///< #V of the surface: before impulses
+    std::vector<Vec3> ends;            ///< #V of the surface: positions after the substep
 
     /// Positions (all of the surface) that are known to be free of crossings: before and after the
     /// last substep.
@@ -102,6 +103,7 @@ struct ContactSolver::Impl {
     int resolve_impacts(double dt, ContactReport& report);
     bool pass_of_impulses(int pass, double dt, ContactReport& report);
     int cut_back_rest(double dt, ContactReport& report);
+    void yield();
     void count_zones(ContactReport& report);
     void measure_end(double dt, bool clean_before, int left, ContactReport& report);
     bool is_clean_start();
@@ -217,6 +219,24 @@ void ContactSolver::Impl::count_zones(ContactReport& report) {
     }
 }
 
+/// Where obstacles leave no room, contact gives way: the islands that still meet go on as they came
+/// from the solve, whose springs push from all sides, rather than with what impulses made of it.
+void ContactSolver::Impl::yield() {
+    std::vector<char> meets(at(surface.deformable_vertices), 0);
+    for (const Impact& impact : impacts) {
+        for (const Index v : candidates[at(impact.candidate)].vertices) {
+            if (surface.inverse_mass[at(v)] > 0.0) {
+                meets[at(islands.of(v))] = 1;
+            }
+        }
+    }
+    for (Index v = 0; v < surface.deformable_vertices; ++v) {
+        if (meets[at(islands.of(v))]) {
+            surface.velocity[at(v)] = solved_velocity[at(v)];
+        }
+    }
+}
+
 /// Cuts back islands until nothing is met; returns the impacts that are left.
 int ContactSolver::Impl::cut_back_rest(double dt, ContactReport& report) {
     islands.reset(at(surface.deformable_vertices));
@@ -226,7 +246,11 @@ int ContactSolver::Impl::cut_back_rest(double dt, ContactReport& report) {
         }
         const Stopwatch watch;
         impact_search.find(surface, candidates, look, dt, k_final_limit, impacts);
-        if (impacts.empty() || round == k_cuts) {
+        if (impacts.empty()) {
+            return 0;
+        }
+        if (round == k_cuts) {
+            yield();
             return static_cast<int>(impacts.size());
         }
         std::fill(look.begin(), look.end(), 0);
@@ -245,6 +269,7 @@ int ContactSolver::Impl::cut_back_rest(double dt, ContactReport& report) {
 
 int ContactSolver::Impl::resolve_impacts(double dt, ContactReport& report) {
     impact_rows.clear();
+    solved_velocity = surface.velocity;
     std::fill(look.begin(), look.end(), 1);
     for (int pass = 0; pass < k_impulse_passes + k_zone_passes; ++pass) {
         if (!pass_of_impulses(pass, dt, report)) {
@@ -304,6 +329,7 @@ ContactReport ContactSolver::Impl::resolve(double dt,
     ContactReport report;
     look.assign(surface.start.size(), 0);
     const bool clean_before = is_clean_start();
+    report.was_clean = clean_before;
     if (contacts) {
         guard(*contacts, dt, report);
     } else {

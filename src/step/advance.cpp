@@ -7,6 +7,7 @@
 #include "state/update_attachments.h"
 #include "step/held.h"
 #include "step/implicit_step.h"
+#include "step/recover.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,10 @@ constexpr double k_automatic_substep = 0.01;
 
 /// A substep is halved at most this often: 1/1024 of its first length is the floor.
 constexpr int k_most_halvings = 10;
+
+/// A substep that contact cannot resolve is halved this often before contact yields. Obstacles that
+/// leave no room leave none in shorter steps.
+constexpr int k_contact_halvings = 3;
 
 /// A vertex that leaves its object's mean motion by more than this share of the object's diagonal
 /// in one substep has been thrown, not simulated.
@@ -102,7 +107,7 @@ struct Stepper::Impl {
     Impl(const World& world, const SceneParams& scene, const ContactParams& contact)
         : scene(scene), implicit(world, scene), solver(world, contact), contact_params(contact) {}
 
-    bool substep(World& world, double dt, FrameReport& report);
+    bool substep(World& world, double dt, bool may_yield, FrameReport& report);
     void find_average_velocities(const World& world, double dt);
     void solve_impacts(const World& world, double dt, ImplicitReport& step);
     void finish(World& world, double dt);
@@ -121,7 +126,8 @@ struct Stepper::Impl {
 };
 
 /// One substep in the order of Bender and Deul 2013, section 3. False: it failed, nothing changed.
-bool Stepper::Impl::substep(World& world, double dt, FrameReport& report) {
+/// @param may_yield whether contact that finds no way may let pairs cross
+bool Stepper::Impl::substep(World& world, double dt, bool may_yield, FrameReport& report) {
     // 1. external forces, 2. one implicit step of all deformables, 3. average velocities, and
     // 4. proximities with friction, which act inside the step
     find_held(world, world.time + dt, held);
@@ -139,6 +145,9 @@ bool Stepper::Impl::substep(World& world, double dt, FrameReport& report) {
     average_velocities = free_velocities;
     const ContactReport contact =
         solver.resolve(world, average_velocities, held.flags, dt, contacts);
+    if (contact.unresolved > 0 && contact.was_clean && !may_yield) {
+        return false;
+    }
     add_contact(report.contact, contact);
     add_problems(report.problems, world.time + dt, contact.problems);
     report.substeps_impacts += contact.impacts > 0;
@@ -287,7 +296,7 @@ std::optional<FrameReport> Stepper::advance_frame(World& world,
         const std::int64_t length = ticks_per_substep >> halvings;
         const double dt = std::ldexp(frame_dt / base_substeps, -halvings);
         world.time = frame_start + frame_dt * static_cast<double>(tick) / static_cast<double>(end);
-        if (impl_->substep(world, dt, report)) {
+        if (impl_->substep(world, dt, halvings >= k_contact_halvings, report)) {
             tick += length;
             ++report.substeps;
             if (halvings > 0 && tick % (2 * length) == 0) {
@@ -304,6 +313,9 @@ std::optional<FrameReport> Stepper::advance_frame(World& world,
     keep_last_of_each(report.problems);
     ++world.frame;
     world.time = (world.frame - 1) / impl_->scene.fps;
+    if (report.contact.unresolved > 0 && recover_from_crossings(world)) {
+        report.contact.unresolved = 0;
+    }
     return report;
 }
 

@@ -180,8 +180,8 @@ BalanceReport ContactNewton::solve(const LinearStep& step, ContactForces& contac
         const double before = report.imbalance;
         report.imbalance = find_imbalance(step, contact);
         if (report.rounds > 0) {
-            forcing = std::clamp(0.5 * report.imbalance / before, k_least_forcing,
-                                 k_greatest_forcing);
+            forcing =
+                std::clamp(0.5 * report.imbalance / before, k_least_forcing, k_greatest_forcing);
         }
         report.converged = std::isfinite(report.imbalance);
         if (!report.converged || report.imbalance <= step.tolerance ||
