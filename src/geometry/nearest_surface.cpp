@@ -112,4 +112,28 @@ std::optional<SurfacePoint> NearestSurface::find(const Vec3& p, double reach) co
     return found;
 }
 
+std::optional<double>
+NearestSurface::first_hit(const Vec3& p, const Vec3& direction, double reach) const {
+    double nearest = reach;
+    tree_.query(segment_box(p, p + reach * direction, 0.0), [&](Index t) {
+        const Triangle& v = triangles_[at(t)];
+        const Vec3& a = positions_[at(v[0])];
+        const Vec3 ab = positions_[at(v[1])] - a;
+        const Vec3 ac = positions_[at(v[2])] - a;
+        const double volume = direction.dot(ab.cross(ac));
+        if (volume <= 0.0) {
+            return; // comes in, or passes along
+        }
+        // Moeller and Trumbore 1997
+        const Vec3 from_a = p - a;
+        const double u = direction.dot(from_a.cross(ac)) / volume;
+        const double w = -direction.dot(from_a.cross(ab)) / volume;
+        const double way = -from_a.dot(ab.cross(ac)) / volume;
+        if (u >= 0.0 && w >= 0.0 && u + w <= 1.0 && way > 0.0 && way < nearest) {
+            nearest = way;
+        }
+    });
+    return nearest < reach ? std::optional<double>(nearest) : std::nullopt;
+}
+
 } // namespace weft

@@ -28,6 +28,10 @@ public:
     /// The nearest point to p that is nearer than `reach` (m).
     std::optional<SurfacePoint> find(const Vec3& p, double reach) const;
 
+    /// Way (m) from p along a unit direction to where the ray first goes out through the surface,
+    /// its inner side before; nothing within `reach`.
+    std::optional<double> first_hit(const Vec3& p, const Vec3& direction, double reach) const;
+
     /// Mean normal of the surface around a vertex; zero for one in no triangle.
     const Vec3& vertex_normal(Index v) const {
         return vertex_normals_[static_cast<std::size_t>(v)];

@@ -70,4 +70,16 @@ TEST(NearestSurface, OfAnOpenSheetTellsItsRimAndLeavesOutTrianglesWithoutArea) {
     EXPECT_NEAR(surface.find({0.3, -0.2, 0.5}, 1.0)->height, -0.2, 1e-15);
 }
 
+TEST(NearestSurface, FirstHitIsWhereARayLeavesTheBody) {
+    const TriangleMesh mesh = cube();
+    const NearestSurface surface(mesh.positions, mesh.triangles);
+
+    EXPECT_NEAR(*surface.first_hit({0.3, 1.0, 0.2}, -Vec3::UnitY(), 5.0), 2.0, 1e-12);
+    EXPECT_NEAR(*surface.first_hit({0.3, 0.1, 0.2}, Vec3::UnitX(), 5.0), 0.7, 1e-12);
+    EXPECT_NEAR(*surface.first_hit(Vec3::Ones(), -Vec3::Ones().normalized(), 5.0),
+                2.0 * std::sqrt(3.0), 1e-9);
+    EXPECT_FALSE(surface.first_hit({0.3, 0.1, 0.2}, Vec3::UnitX(), 0.5));
+    EXPECT_FALSE(surface.first_hit({0.3, 1.5, 0.2}, Vec3::UnitY(), 5.0));
+}
+
 } // namespace weft
