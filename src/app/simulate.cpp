@@ -45,9 +45,14 @@ ExitCode describe_start(const Scene& scene, World& world) {
 }
 
 std::string describe_cure(const StartOverlapReport& report) {
+    const std::string grown =
+        report.preroll_substeps > 0
+            ? fmt::format("; obstacles grew by {:.3g} m over {} substeps before the first frame",
+                          report.deepest_inset, report.preroll_substeps)
+            : "";
     return fmt::format("start: {} pairs of triangles crossed, now none: cloth was moved by at most "
-                       "{:.3g} m in {} rounds",
-                       report.pairs_before, report.greatest_way, report.rounds);
+                       "{:.3g} m, {} rounds of untangling{}",
+                       report.pairs_before, report.greatest_way, report.rounds, grown);
 }
 
 /// Cures what overlaps at the start and says what that took, also into `told`. False: asked to stop

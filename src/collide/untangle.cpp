@@ -253,6 +253,9 @@ UntangleReport untangle(World& world, const UntangleFrom& from) {
     Untangler untangler(tangle, world.cloths, from);
     UntangleReport report;
     report.pairs_before = untangler.count_crossings();
+    if (report.pairs_before == 0) {
+        return report;
+    }
     std::set<int> layers;
     for (const Cloth& cloth : world.cloths) {
         layers.insert(cloth.params.layer);

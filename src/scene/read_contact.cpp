@@ -56,8 +56,9 @@ ContactParams read_contact(TomlTable table,
                            const std::vector<std::string>& obstacles) {
     ContactParams params;
     table.read_choice("start_overlap", params.start_overlap,
-                      {{"error", StartOverlap::Error}, {"untangle", StartOverlap::Untangle}},
-                      {"grow"});
+                      {{"error", StartOverlap::Error},
+                       {"grow", StartOverlap::Grow},
+                       {"untangle", StartOverlap::Untangle}});
     table.read("self", params.self);
     table.read("enabled", params.enabled);
     for (TomlTable& entry : table.tables("friction")) {

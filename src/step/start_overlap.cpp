@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "collide/untangle.h"
 #include "state/build_pins.h"
+#include "step/grow_obstacles.h"
 
 namespace weft {
 
@@ -19,7 +20,6 @@ void refuse(std::span<const CrossingPair> pairs, const char* remedy) {
 
 StartOverlapReport start_untangled(World& world, const ContactParams& contact) {
     const UntangleReport untangled = untangle(world, {.cloth = contact.self});
-    hold_pins_here(world);
     return {.rounds = untangled.rounds, .greatest_way = untangled.greatest_way};
 }
 
@@ -69,10 +69,21 @@ cure_start_overlap(World& world, const Scene& scene, const std::function<bool()>
         refuse(crossings_of_contact(world, scene.contact),
                "untangling could not part them: move the cloth or try start_overlap = \"grow\"");
         break;
-    case StartOverlap::Grow:
+    case StartOverlap::Grow: {
+        const auto grown = grow_obstacles(world, scene, should_stop);
+        if (!grown) {
+            return std::nullopt;
+        }
+        report = {.rounds = grown->rounds,
+                  .greatest_way = grown->greatest_way,
+                  .deepest_inset = grown->deepest_inset,
+                  .preroll_substeps = grown->substeps};
+        refuse(crossings_of_contact(world, scene.contact),
+               "growing could not part them: move the cloth or try start_overlap = \"untangle\"");
         break;
     }
-    static_cast<void>(should_stop);
+    }
+    hold_pins_here(world);
     report.pairs_before = before.size();
     world.previous_positions = world.positions;
     return report;

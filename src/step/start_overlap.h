@@ -13,9 +13,9 @@ namespace weft {
 struct StartOverlapReport {
     std::size_t pairs_before = 0; ///< of crossing triangles
     int rounds = 0;               ///< of untangling
-    double greatest_way = 0.0;    ///< that untangling moved a vertex, m
+    double greatest_way = 0.0;    ///< that a vertex of cloth was moved, m
     double deepest_inset = 0.0;   ///< by which an obstacle's vertex started shrunken, m
-    int preroll_frames = 0;       ///< simulated while obstacles grew
+    int preroll_substeps = 0;     ///< simulated while obstacles grew
 };
 
 /// Pairs of triangles that cross at world.time and that contact would have to keep apart: none when

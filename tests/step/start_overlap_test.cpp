@@ -133,4 +133,61 @@ TEST(StartOverlap, ThatCannotBeCuredIsNamed) {
     }
 }
 
+TEST(StartOverlap, IsPushedApartByObstaclesThatGrow) {
+    const Scene scene = napkin_in_ball(StartOverlap::Grow);
+    World world = test::build_quietly(scene);
+    const World before = world;
+
+    const auto report = cure(world, scene);
+
+    ASSERT_TRUE(report);
+    EXPECT_TRUE(find_crossings(world, 1).empty());
+    EXPECT_GE(report->deepest_inset, 0.01); // the napkin was 10 mm deep
+    EXPECT_GT(report->preroll_substeps, 10);
+    EXPECT_EQ(world.velocities, before.velocities);
+    EXPECT_EQ(world.time, 0.0);
+    EXPECT_EQ(world.frame, 1);
+    EXPECT_EQ(world.obstacles[0].mesh.positions, before.obstacles[0].mesh.positions);
+    for (std::size_t v = 0; v < world.vertex_count(); ++v) {
+        EXPECT_GT(world.positions[v].norm(), 0.199); // outside of a ball of 0.2 m
+    }
+}
+
+TEST(StartOverlap, GrowingLeavesMotionAndGravityOfTheSceneForLater) {
+    Scene scene = napkin_in_ball(StartOverlap::Grow);
+    scene.scene.gravity = {0.0, -1000.0, 0.0};
+    scene.obstacles[0].motion = {{.t = 0.0}, {.t = 0.1, .translate = {1.0, 0.0, 0.0}}};
+    World world = test::build_quietly(scene);
+
+    cure(world, scene);
+
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& x : world.positions) {
+        mean += x / static_cast<double>(world.vertex_count());
+    }
+    EXPECT_NEAR(mean.x(), 0.0, 1e-3); // the ball did not carry it off
+    EXPECT_GT(mean.y(), 0.18);        // 10 m would have been fallen in 0.15 s
+}
+
+TEST(StartOverlap, GrowingStopsWhenAsked) {
+    const Scene scene = napkin_in_ball(StartOverlap::Grow);
+    World world = test::build_quietly(scene);
+
+    EXPECT_FALSE(cure_start_overlap(world, scene, [] { return true; }));
+}
+
+TEST(StartOverlap, OfClothWithClothIsUntangledBeforeObstaclesGrow) {
+    Scene scene = napkin_in_ball(StartOverlap::Grow);
+    scene.cloths.push_back(scene.cloths[0]);
+    scene.cloths[1].name = "second";
+    scene.cloths[1].layer = 1;
+    scene.cloths[1].placement.rotate_deg = {0.0, 10.0, 2.0};
+    World world = test::build_quietly(scene);
+
+    const auto report = cure(world, scene);
+
+    EXPECT_GT(report->rounds, 0);
+    EXPECT_TRUE(find_crossings(world, 1).empty());
+}
+
 } // namespace weft
