@@ -134,6 +134,30 @@ TEST_F(Simulate, ResumedAfterAKillEndsAsTheStraightRun) {
     }
 }
 
+TEST_F(Simulate, ResumedAfterACuredStartEndsAsTheStraightRun) {
+    std::string text = k_napkin; // 5 mm below the top of the block, which holds its middle
+    text.replace(text.find("0.12, 0.0]"), 10, "0.035, 0.0]");
+    text.replace(
+        text.find("model ="), 7,
+        "pin = [{ box = { min = [-0.03, 0, -0.03], max = [0.03, 1, 0.03] }, to = 'block' }]"
+        "\nmodel =");
+    for (const std::string way : {"untangle", "grow"}) {
+        test::write_file(scene,
+                         "[contact]\nstart_overlap = '" + way + "'" + text + "enabled = false\n");
+        const fs::path reference = folder / (way + "_straight");
+        const test::ProcessResult result = run(reference);
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_NE(result.err.find("pairs of triangles crossed, now none"), std::string::npos)
+            << result.err;
+
+        const fs::path out = folder / (way + "_killed");
+        EXPECT_EQ(interrupt(out, 13, SIGKILL).exit_code, 128 + SIGKILL);
+        EXPECT_EQ(run(out, {"--resume", "-j", "3"}).exit_code, 0);
+
+        expect_same_run(reference, out);
+    }
+}
+
 TEST_F(Simulate, KilledAgainAndAgainStillEndsAsTheStraightRun) {
     const fs::path reference = straight();
     const fs::path out = folder / "out";
