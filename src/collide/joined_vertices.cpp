@@ -10,10 +10,10 @@ std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
 }
 
-/// Calls f(v, w) for each two vertices on the two sides of a pair that touches, both ways round.
+/// Calls f(v, w) for each two vertices on the two sides of a joined pair, both ways round.
 template <typename F> void for_each_joined(const World& world, const F& f) {
     for (std::size_t i = 0; i < world.attached_pairs.size(); ++i) {
-        if (world.attached_states[i].is_touching == 0) {
+        if (world.attached_states[i].is_joined == 0) {
             continue;
         }
         const AttachedPair& pair = world.attached_pairs[i];

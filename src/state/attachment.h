@@ -33,9 +33,9 @@ struct AttachedPair {
 
 /// What changes of a pair. No padding: it is kept and hashed as bytes.
 struct AttachedState {
-    double start_gap = -1.0;      ///< m, distance when it began to act; < 0: not yet
-    double welded_since = -1.0;   ///< s; < 0: not welded
-    std::int64_t is_touching = 0; ///< 1: so near that contact takes its vertices as one
+    double start_gap = -1.0;    ///< m, distance when it began to act; < 0: not yet
+    double welded_since = -1.0; ///< s; < 0: not welded
+    std::int64_t is_joined = 0; ///< 1: contact takes its vertices as one, not to hold them apart
 };
 
 /// Vector from side b to side a, m.

@@ -6,28 +6,23 @@ namespace weft {
 
 namespace {
 
-/// A seam's points nearer than this many weld tolerances are one to contact, which would else hold
-/// them apart. Smaller: contact brakes the last of the way; larger: what lies between them is
-/// missed from further off.
-constexpr double k_touching = 6.0;
-
-/// Points that were one to contact are two again when this much further apart.
+/// The points of a seam that has let go are two again to contact when this many weld tolerances
+/// apart, which is the contact thickness: sooner, they would count as crossing.
 constexpr double k_parted = 2.0;
 
 /// Times are sums of rounded shares, s.
 constexpr double k_slack = 1e-9;
 
-bool is_touching(const Attachment& attachment, double gap, bool acts, bool before) {
+bool is_joined(const Attachment& attachment, double gap, bool acts, bool before) {
     if (attachment.kind == AttachKind::Button) {
         return false; // its cloths lie on each other
     }
-    const double reach = (acts ? k_touching : 1.0) * attachment.tolerance;
-    return gap < (before ? k_parted * reach : acts ? reach : 0.0);
+    return acts || (before && gap < k_parted * attachment.tolerance);
 }
 
 void update(const Attachment& attachment, double gap, double time, AttachedState& state) {
     const bool acts = acts_at(attachment, time);
-    state.is_touching = is_touching(attachment, gap, acts, state.is_touching != 0) ? 1 : 0;
+    state.is_joined = is_joined(attachment, gap, acts, state.is_joined != 0) ? 1 : 0;
     if (!acts) {
         state.welded_since = -1.0;
         return;
