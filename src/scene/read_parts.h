@@ -20,6 +20,8 @@ ClothParams read_cloth(TomlTable table,
 /// One `[[cloth.pin]]`.
 PinParams read_pin(TomlTable table, const std::vector<std::string>& obstacles);
 ObstacleParams read_obstacle(TomlTable table);
+/// @param cloths  names that a side may have
+AttachParams read_attach(TomlTable table, const std::vector<std::string>& cloths);
 RenderParams read_render(TomlTable table);
 
 /// The keys `fabric` of a cloth: a preset, a file, or a table. Leaves the default when missing.

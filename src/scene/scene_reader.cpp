@@ -14,13 +14,14 @@ void require_unique_name(const TomlTable& table,
                          const std::string& name,
                          std::set<std::string>& taken) {
     if (!taken.insert(name).second) {
-        table.fail("name", "must be unique: another object has it");
+        table.fail("name", "must be unique: another one has it");
     }
 }
 
 void read_objects(TomlTable& root, Scene& scene) {
     std::set<std::string> taken;
     std::vector<std::string> obstacle_names;
+    std::vector<std::string> cloth_names;
     for (const TomlTable& table : root.tables("obstacle")) {
         scene.obstacles.push_back(read_obstacle(table));
         obstacle_names.push_back(scene.obstacles.back().name);
@@ -29,6 +30,12 @@ void read_objects(TomlTable& root, Scene& scene) {
     for (const TomlTable& table : root.tables("cloth")) {
         scene.cloths.push_back(read_cloth(table, scene.base_dir, obstacle_names));
         require_unique_name(table, scene.cloths.back().name, taken);
+        cloth_names.push_back(scene.cloths.back().name);
+    }
+    taken.clear(); // these name no files
+    for (const TomlTable& table : root.tables("attach")) {
+        scene.attachments.push_back(read_attach(table, cloth_names));
+        require_unique_name(table, scene.attachments.back().name, taken);
     }
 }
 

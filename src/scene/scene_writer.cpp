@@ -196,6 +196,48 @@ void write_obstacle(TomlWriter& out,
     }
 }
 
+std::string vertex_text(const VertexChoice& choice) {
+    return choice.vertex == k_no_index ? TomlWriter::toml_text(choice.place)
+                                       : TomlWriter::toml_text(choice.vertex);
+}
+
+void write_side(TomlWriter& out, std::string_view key, const AttachSide& side) {
+    std::string text = "{ cloth = " + TomlWriter::toml_text(side.cloth);
+    if (!side.vertices.empty()) {
+        text += ", vertices = " + TomlWriter::toml_text(side.vertices);
+    }
+    if (side.from) {
+        text += ", from = " + vertex_text(*side.from);
+    }
+    if (side.to) {
+        text += ", to = " + vertex_text(*side.to);
+    }
+    if (side.via) {
+        text += ", via = " + vertex_text(*side.via);
+    }
+    if (side.at) {
+        text += ", at = " + TomlWriter::toml_text(*side.at);
+    }
+    out.write(key, text + " }");
+}
+
+void write_attach(TomlWriter& out, const AttachParams& attach) {
+    const bool is_seam = attach.kind == AttachKind::Seam;
+    out.header("[[attach]]");
+    out.line("name", attach.name);
+    out.line("kind", is_seam ? "seam" : "button");
+    write_side(out, "a", attach.a);
+    write_side(out, "b", attach.b);
+    out.line("start", attach.start, "s");
+    out.line("close", attach.close, "s");
+    if (attach.until < k_forever) {
+        out.line("until", attach.until, "s");
+    }
+    out.line("strength", attach.strength, is_seam ? "N/m" : "N");
+    out.line("radius", attach.radius, "m");
+    out.line("weld", attach.weld);
+}
+
 void write_render(TomlWriter& out, const RenderParams& render) {
     out.header("[render]");
     out.line("size", render.size, "pixels");
@@ -228,6 +270,9 @@ std::string write_scene(const Scene& scene, const std::filesystem::path& folder)
     }
     for (const ObstacleParams& obstacle : scene.obstacles) {
         write_obstacle(out, scene, folder, obstacle);
+    }
+    for (const AttachParams& attach : scene.attachments) {
+        write_attach(out, attach);
     }
     write_render(out, scene.render);
     return out.text();

@@ -1,3 +1,4 @@
+#include "state/build_attachments.h"
 #include "state/build_cloth.h"
 #include "state/build_obstacle.h"
 #include "state/build_pins.h"
@@ -16,6 +17,7 @@ World build_world(const Scene& scene, const std::function<void(const std::string
     world.previous_positions = world.positions;
     world.previous_velocities = world.velocities;
     build_pins(world);
+    build_attachments(world, scene.attachments, warn);
     return world;
 }
 
