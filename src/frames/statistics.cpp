@@ -19,7 +19,7 @@ constexpr std::string_view k_header =
     "contacts_obstacle,contacts_self,unresolved,min_gap_m,stretch_min,stretch_mean,stretch_p95,"
     "stretch_max,shear_max_deg,kinetic_J,membrane_J,bending_J,gravity_J,com_x_m,com_y_m,com_z_m,"
     "max_speed_m_s,state_hash,impacts,impact_zones,scaled_islands,"
-    "substeps_impacts,substeps_zones,substeps_scaled";
+    "substeps_impacts,substeps_zones,substeps_scaled,attached_pairs,welded_pairs,attached_gap_m";
 
 /// A triangle's stretch and its share of the whole.
 struct Weighted {
@@ -79,7 +79,8 @@ std::string statistics_row(const FrameStatistics& s) {
         << s.motion.centre_of_mass.z() << s.motion.max_speed;
     row.add(fmt::format("{:016x}", s.state_hash));
     row << contact.impacts << contact.zones << contact.scaled_islands << s.report.substeps_impacts
-        << s.report.substeps_zones << s.report.substeps_scaled;
+        << s.report.substeps_zones << s.report.substeps_scaled << s.attachments.pairs
+        << s.attachments.welded << s.attachments.greatest_gap;
     return row.text();
 }
 
@@ -150,6 +151,7 @@ Statistician::measure(const World& world, const FrameReport& report, int crossin
             .crossings = crossings,
             .strain = measure_strain(world),
             .motion = measure_motion(world),
+            .attachments = measure_attachments(world),
             .state_hash = state_hash(world)};
 }
 

@@ -2,6 +2,7 @@
 
 #include "forces/constant_bending.h"
 #include "forces/membrane_elements.h"
+#include "state/update_attachments.h"
 #include "step/advance.h"
 
 #include <string>
@@ -37,6 +38,7 @@ struct FrameStatistics {
                        ///< the substeps' where those were verified
     StrainStatistics strain;
     MotionStatistics motion;
+    AttachmentReport attachments;
     std::uint64_t state_hash = 0;
 };
 
