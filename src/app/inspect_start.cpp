@@ -1,6 +1,7 @@
 #include "app/inspect_start.h"
 
 #include "app/crossing_ply.h"
+#include "app/inspect_attachments.h"
 #include "app/summary_lines.h"
 #include "base/atomic_file.h"
 #include "collide/crossings.h"
@@ -61,7 +62,10 @@ const char* what_is_done(StartOverlap way) {
 InspectReport describe_start(const Scene& scene, const StartInspection& wanted) {
     InspectReport report;
     SummaryLines sheet;
-    const World world = build_world(scene, [](const std::string&) {});
+    std::vector<std::string> warnings;
+    const World world =
+        build_world(scene, [&](const std::string& line) { warnings.push_back(line); });
+    sheet.text = describe_attachments(world, warnings);
     if (!scene.contact.enabled) {
         sheet.row("start", "contact is off: what crosses does not matter");
         return {sheet.text, false};
