@@ -17,7 +17,7 @@ constexpr double k_weld_stiffness = 100.0;
 /// Of critical damping.
 constexpr double k_damping_ratio = 1.0;
 
-/// Tension of a thread at distance d, its energy, and its derivative.
+/// Tension of a thread at distance d, its energy, and its slope as the solve is to see it.
 struct Tension {
     double energy, force, slope; ///< J, N, N/m
 };
@@ -32,7 +32,7 @@ Tension tension(const Thread& thread, double distance) {
         return {0.5 * thread.stiffness * stretch * stretch, thread.stiffness * stretch,
                 thread.stiffness};
     }
-    return {thread.limit * (stretch - 0.5 * reach), thread.limit, 0.0};
+    return {thread.limit * (stretch - 0.5 * reach), thread.limit, thread.limit / stretch};
 }
 
 double moved_mass(const AttachedPair& pair, std::span<const double> masses) {

@@ -22,9 +22,12 @@ struct Thread {
 };
 
 /// Energy, forces and scales.stiffness * K + scales.damping * D of a thread on the vertices whose
-/// weighted sum (AttachedPair) is its gap. K is the exact Hessian of the energy, which is convex,
-/// so it is positive semidefinite; where the thread reaches its rest gap or limit, the side it
-/// comes from. Forces sum to zero and have no torque.
+/// weighted sum (AttachedPair) is its gap. Forces sum to zero and have no torque.
+///
+/// K is the Hessian of the energy, which is convex, so it is positive semidefinite. Along a thread
+/// that pulls at its limit it is limit / (d - rest_gap) instead of 0: with no stiffness at all a
+/// step would carry the ends past each other, again and again; with this one, whose parabola lies
+/// above the energy, it carries them no further than the rest gap.
 ///
 /// @param weights sum to 0; 0 for a missing vertex, whose position does not matter
 ElementTerms<6> thread_terms(const std::array<Vec3, 6>& x,
