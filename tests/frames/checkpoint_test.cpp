@@ -24,6 +24,10 @@ Checkpoint random_checkpoint(std::size_t vertices) {
     for (ContactMemory& memory : checkpoint.contact_memory) {
         memory = {{1, 2, 3, static_cast<Index>(random() % 100)}, 1e-3, checkpoint.positions[0], 1};
     }
+    for (std::size_t i = 0; i < 3; ++i) {
+        checkpoint.attached_states.push_back(
+            {.start_gap = 0.1 * static_cast<double>(i), .welded_since = 1.5, .is_joined = 1});
+    }
     return checkpoint;
 }
 
@@ -48,6 +52,10 @@ TEST(Checkpoint, GivesBackEveryBit) {
     ASSERT_EQ(read.contact_memory.size(), checkpoint.contact_memory.size());
     EXPECT_EQ(std::memcmp(read.contact_memory.data(), checkpoint.contact_memory.data(),
                           read.contact_memory.size() * sizeof(ContactMemory)),
+              0);
+    ASSERT_EQ(read.attached_states.size(), 3U);
+    EXPECT_EQ(std::memcmp(read.attached_states.data(), checkpoint.attached_states.data(),
+                          3 * sizeof(AttachedState)),
               0);
 }
 
