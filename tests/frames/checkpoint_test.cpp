@@ -88,6 +88,7 @@ TEST(Checkpoint, RestoresTheMovingPartOfAWorld) {
     const Checkpoint checkpoint = random_checkpoint(3);
     World world;
     world.positions.resize(3, Vec3::Zero());
+    world.attached_states.resize(checkpoint.attached_states.size());
 
     restore(checkpoint, world);
     const Checkpoint again = make_checkpoint(world, checkpoint.scene_hash);
