@@ -39,6 +39,10 @@ struct ContactReport {
     double seconds_broad = 0.0, seconds_proximity = 0.0, seconds_impact = 0.0;
 };
 
+/// Speed (m/s) above which friction is kinetic: below it contacts settle and share their load, by
+/// way of slips too small to count as sliding (Stribeck's curve as a step).
+inline constexpr double k_sliding_speed = 1e-3;
+
 /// A pair that is near when a substep starts, or meets during it, so that the implicit solve can
 /// carry it. The relative displacement of its sides over the substep is the sum of weight times
 /// vertex displacement plus `driven`.

@@ -19,6 +19,13 @@ std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
 }
 
+/// How a gap turns with the body that an obstacle's vertex belongs to, m: what sticks to the body
+/// at a distance moves with the body's motion there, not with that of the body's surface.
+Vec3 turn_of_gap(const ContactSurface& surface, Index vertex, const Vec3& gap) {
+    const ContactObject& object = surface.objects[at(surface.object_of_vertex[at(vertex)])];
+    return object.end.rotation * (object.start.rotation.transpose() * gap) - gap;
+}
+
 /// Gap and motion of a pair whose closest points are those of `place`.
 Contact make_contact(const ContactSurface& surface,
                      const Candidate& candidate,
@@ -40,15 +47,24 @@ Contact make_contact(const ContactSurface& surface,
                     .static_friction = rule.static_friction,
                     .driven = Vec3::Zero()};
     Vec3 apart = Vec3::Zero();
+    Vec3 speed = Vec3::Zero();
     for (std::size_t i = 0; i < 4; ++i) {
         const Index v = candidate.vertices[i];
         apart += row.weights[i] * surface.start[at(v)];
+        speed += row.weights[i] * surface.velocity[at(v)];
         if (!surface.is_deformable(v)) {
             contact.vertices[i] = k_no_index;
             contact.driven += dt * row.weights[i] * surface.velocity[at(v)];
         }
     }
     contact.gap = row.normal.dot(apart);
+    for (const Index v : {candidate.vertices[0], candidate.vertices[3]}) {
+        if (!surface.is_deformable(v)) {
+            const Vec3 turn = turn_of_gap(surface, v, apart);
+            contact.driven -= turn - row.normal.dot(turn) * row.normal;
+        }
+    }
+    contact.slides = (speed - row.normal.dot(speed) * row.normal).norm() > k_sliding_speed;
     return contact;
 }
 
@@ -62,38 +78,36 @@ const ContactMemory* find_memory(std::span<const ContactMemory> memory,
 
 } // namespace
 
-void ContactSearch::note_rest_of_vertices(const ContactSurface& surface,
-                                          std::span<const ContactMemory> memory) {
-    rest_of_vertex_.assign(at(surface.deformable_vertices), 0.0);
+void ContactSearch::note_vertices(const ContactSurface& surface,
+                                  std::span<const ContactMemory> memory) {
+    of_vertex_.assign(at(surface.deformable_vertices), {});
     for (const ContactMemory& one : memory) {
         for (const Index v : one.pair) {
             if (surface.is_deformable(v)) {
-                rest_of_vertex_[at(v)] = std::max(rest_of_vertex_[at(v)], one.rest);
+                VertexMemory& known = of_vertex_[at(v)];
+                known.rest = std::max(known.rest, one.rest);
+                known.slides = known.slides || one.slides != 0;
             }
         }
     }
-}
-
-double ContactSearch::rest_beside(const ContactSurface& surface,
-                                  const std::array<Index, 4>& pair) const {
-    double rest = 0.0;
-    for (const Index v : pair) {
-        if (surface.is_deformable(v)) {
-            rest = std::max(rest, rest_of_vertex_[at(v)]);
-        }
-    }
-    return rest;
 }
 
 void ContactSearch::recall(const ContactSurface& surface,
                            std::span<const ContactMemory> memory,
                            double dt,
                            Contact& contact) const {
-    double rest = std::max(contact.gap, rest_beside(surface, contact.pair));
+    double rest = contact.gap;
     if (const ContactMemory* known = find_memory(memory, contact.pair)) {
         rest = known->rest;
         contact.slip = known->slip - contact.normal.dot(known->slip) * contact.normal;
         contact.slides = known->slides != 0;
+    } else {
+        for (const Index v : contact.pair) {
+            if (surface.is_deformable(v)) {
+                rest = std::max(rest, of_vertex_[at(v)].rest);
+                contact.slides = contact.slides || of_vertex_[at(v)].slides;
+            }
+        }
     }
     rest = std::min(rest, contact.thickness);
     contact.rest = rest + (contact.thickness - rest) * parting_share(dt);
@@ -105,7 +119,7 @@ void ContactSearch::find(const ContactSurface& surface,
                          std::span<const ContactMemory> memory,
                          double dt,
                          std::vector<Contact>& contacts) {
-    note_rest_of_vertices(surface, memory);
+    note_vertices(surface, memory);
     const std::size_t chunks = (candidates.size() + k_chunk_candidates - 1) / k_chunk_candidates;
     found_.resize(std::max(found_.size(), chunks));
     parallel_chunks(

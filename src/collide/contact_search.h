@@ -14,7 +14,8 @@ public:
     /// A pair pushes from the thickness inwards. One that is nearer when it is first seen pushes
     /// only from where it is, and its rest gap grows to the thickness by a tenth of what is missing
     /// a substep, k_parting_rate of it a second: cloth that starts in the skin comes out slowly. A
-    /// pair that takes over from one beside it, as cloth slides on, takes over its rest gap.
+    /// pair that takes over from one beside it, as cloth slides on, takes over its rest gap and
+    /// that it slides.
     void find(const ContactSurface& surface,
               std::span<const Candidate> candidates,
               std::span<const ContactMemory> memory,
@@ -22,15 +23,19 @@ public:
               std::vector<Contact>& contacts);
 
 private:
-    void note_rest_of_vertices(const ContactSurface& surface,
-                               std::span<const ContactMemory> memory);
-    double rest_beside(const ContactSurface& surface, const std::array<Index, 4>& pair) const;
+    /// What the pairs that a vertex was in hand on to those that take over from them.
+    struct VertexMemory {
+        double rest = 0.0; ///< greatest, m
+        bool slides = false;
+    };
+
+    void note_vertices(const ContactSurface& surface, std::span<const ContactMemory> memory);
     void recall(const ContactSurface& surface,
                 std::span<const ContactMemory> memory,
                 double dt,
                 Contact& contact) const;
 
-    std::vector<double> rest_of_vertex_;      ///< #V deformable: greatest in the memory; 0: none
+    std::vector<VertexMemory> of_vertex_;     ///< #V deformable
     std::vector<std::vector<Contact>> found_; ///< a chunk of candidates
 };
 

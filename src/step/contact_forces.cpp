@@ -41,9 +41,8 @@ void ContactForces::take(std::span<const Contact> contacts) {
             }
         }
         stiffness /= weight;
-        springs_.push_back({{stiffness, std::max(contact.room, 1e-3 * contact.thickness)},
-                            {stiffness, 0.0},
-                            contact.slides});
+        springs_.push_back(
+            {{stiffness, std::max(contact.room, 1e-3 * contact.thickness)}, {stiffness, 0.0}});
     }
 }
 
@@ -70,21 +69,12 @@ ContactForces::Place ContactForces::place(const Contact& contact, std::span<cons
             contact.slip + across(moved, contact.normal)};
 }
 
-double ContactForces::fit_limits(std::span<const Vec3> x) {
-    double greatest = 0.0;
-    for (std::size_t c = 0; c < springs_.size(); ++c) {
+void ContactForces::fit_limits(std::span<const Vec3> x) {
+    parallel_for(springs_.size(), [&](std::size_t c) {
         const Contact& contact = contacts_[c];
-        Spring& spring = springs_[c];
-        const Place now = place(contact, x);
-        const double push = spring.push.force(now.approach);
-        FrictionLaw holds = spring.hold;
-        holds.limit = (spring.slides ? contact.friction : contact.static_friction) * push;
-        spring.slides = holds.slides(now.across);
-        holds.limit = (spring.slides ? contact.friction : contact.static_friction) * push;
-        greatest = std::max(greatest, std::abs(holds.limit - spring.hold.limit));
-        spring.hold = holds;
-    }
-    return greatest;
+        const double friction = contact.slides ? contact.friction : contact.static_friction;
+        springs_[c].hold.limit = friction * springs_[c].push.force(place(contact, x).approach);
+    });
 }
 
 void ContactForces::add_forces(std::span<const Vec3> x, std::span<Vec3> forces) const {
@@ -195,8 +185,8 @@ void ContactForces::report(std::span<const Vec3> x, std::span<Contact> contacts)
         const Spring& spring = springs_[c];
         contacts[c].impulse = dt_ * spring.push.force(end.approach);
         contacts[c].drag = dt_ * spring.hold.force(end.across);
-        contacts[c].slides = spring.hold.slides(end.across);
         contacts[c].slip = spring.hold.kept(end.across);
+        contacts[c].slides = (end.across - contacts[c].slip).norm() > k_sliding_speed * dt_;
     }
 }
 

@@ -29,9 +29,9 @@ public:
     /// No obstacle takes part: what contacts do sums to zero.
     bool is_internal() const;
 
-    /// Fits the limits of friction to how hard contacts push when vertices end at x (#V). Returns
-    /// the greatest change of a limit, N.
-    double fit_limits(std::span<const Vec3> x);
+    /// Fits the limits of friction to how hard contacts push when vertices end at x (#V): static
+    /// where a contact did not slide at the start of the substep, else kinetic.
+    void fit_limits(std::span<const Vec3> x);
 
     /// Adds forces when vertices end at x (#V), N.
     void add_forces(std::span<const Vec3> x, std::span<Vec3> forces) const;
@@ -62,7 +62,6 @@ private:
     struct Spring {
         NormalLaw push;
         FrictionLaw hold;
-        bool slides;
     };
     /// Where a contact stands when vertices end somewhere.
     struct Place {

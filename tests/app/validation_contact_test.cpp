@@ -16,12 +16,20 @@ void expect_all_within(const ValidationRows& rows) {
 
 } // namespace
 
+TEST(ValidationContact, SheetsStickAndSlideOnAnInclineAsCoulombSays) {
+    expect_all_within(validate_incline(false));
+}
+
 TEST(ValidationContact, StripOverACylinderHoldsAsEulerSays) {
     expect_all_within(validate_capstan(false));
 }
 
 TEST(ValidationContact, FootOfABowingStripSlipsWhereTheElasticaSays) {
     expect_all_within(validate_stick_slip(false));
+}
+
+TEST(ValidationContact, TurningAndRunningBodiesCarryClothWithoutCreep) {
+    expect_all_within(validate_drag(false));
 }
 
 TEST(ValidationContact, StackOfTenComesToRestAtItsThickness) {

@@ -151,28 +151,27 @@ TEST(ContactForces, NeverPull) {
     }
 }
 
-TEST(ContactForces, FrictionOnceSlidingIsKineticAndUntilThenStatic) {
-    for (const double slip : {2e-5, 4e-5, 1e-3}) { // static limit: 0.5 of what pushes
-        Two two;
-        two.x = two.start;
-        two.x[3] += Vec3(slip, -1e-5, 0.0);
-        ContactForces forces{std::vector<double>(4, k_stiffness)};
-        std::vector<Contact> contacts{vertex_on_face()};
-        forces.start(two.start, k_dt);
-        forces.take(contacts);
-        forces.fit_limits(two.x);
-        forces.report(two.x, contacts);
+TEST(ContactForces, FrictionIsStaticUntilASubstepHasSlidAndKineticAfterIt) {
+    for (const double slip : {2e-5, 1e-3}) {
+        for (const bool slid_before : {false, true}) {
+            Two two;
+            two.x = two.start;
+            two.x[3] += Vec3(slip, -1e-5, 0.0);
+            ContactForces forces{std::vector<double>(4, k_stiffness)};
+            std::vector<Contact> contacts{vertex_on_face()};
+            contacts[0].slides = slid_before;
+            forces.start(two.start, k_dt);
+            forces.take(contacts);
+            forces.fit_limits(two.x);
+            forces.report(two.x, contacts);
 
-        const double push = contacts[0].impulse / k_dt;
-        const double drag = contacts[0].drag.norm() / k_dt;
-        const Vec3 moved = two.x[3] - two.start[3];
-        EXPECT_GT(push, 0.0);
-        if (k_stiffness * moved.x() <= 0.5 * push) {
-            EXPECT_FALSE(contacts[0].slides);
-            EXPECT_NEAR(drag, k_stiffness * moved.x(), 1e-12);
-        } else {
-            EXPECT_TRUE(contacts[0].slides);
-            EXPECT_NEAR(drag, 0.3 * push, 1e-12);
+            const double push = contacts[0].impulse / k_dt;
+            const double drag = contacts[0].drag.norm() / k_dt;
+            const double limit = (slid_before ? 0.3 : 0.5) * push;
+            EXPECT_GT(push, 0.0);
+            EXPECT_NEAR(drag, std::min(k_stiffness * slip, limit), 1e-12);
+            EXPECT_EQ(contacts[0].slides, slip - limit / k_stiffness > k_sliding_speed * k_dt);
+            EXPECT_NEAR(contacts[0].slip.norm(), drag / k_stiffness, 1e-12);
         }
     }
 }
