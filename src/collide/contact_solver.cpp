@@ -6,7 +6,6 @@
 #include "collide/islands.h"
 #include "collide/left_pairs.h"
 #include "collide/proximity.h"
-#include "collide/tangled.h"
 
 #include <fmt/core.h>
 
@@ -67,7 +66,6 @@ struct ContactSolver::Impl {
     ImpactSearch impact_search;
     CrossingSearch crossing_search;
     Islands islands;
-    Tangled tangled; ///< of the substep's start
     std::vector<std::string> warnings;
 
     std::vector<Candidate> candidates;
@@ -81,7 +79,6 @@ struct ContactSolver::Impl {
     /// last substep.
     std::vector<Vec3> clean_start, clean_end;
 
-    bool clean_before = false; ///< nothing crossed at the substep's start
     bool clean_motion = false; ///< the surface's motion was searched and meets nothing
     double seconds_broad = 0.0, seconds_proximity = 0.0, seconds_impact = 0.0; ///< of the substep
 
@@ -108,7 +105,7 @@ struct ContactSolver::Impl {
     int cut_back_rest(double dt, ContactReport& report);
     void yield();
     void count_zones(ContactReport& report);
-    void measure_end(double dt, int left, ContactReport& report);
+    void measure_end(double dt, bool clean_before, int left, ContactReport& report);
     bool is_clean_start();
     void count_contact(const std::array<Index, 4>& vertices, ContactReport& report) const;
 };
@@ -116,9 +113,6 @@ struct ContactSolver::Impl {
 void ContactSolver::Impl::find_candidates(double dt) {
     const Stopwatch watch;
     broad_phase.find(surface, dt, candidates);
-    if (!tangled.empty()) {
-        tangled.drop_pairs(surface, candidates);
-    }
     seconds_broad += watch.seconds();
 }
 
@@ -288,15 +282,14 @@ int ContactSolver::Impl::resolve_impacts(double dt, ContactReport& report) {
 /// Exact, but only asked when the positions are not those that the last substep ended or began
 /// with.
 bool ContactSolver::Impl::is_clean_start() {
-    std::vector<std::array<Index, 2>> crossings;
-    if (!same_places(surface.start, clean_end) && !same_places(surface.start, clean_start)) {
-        crossings = crossing_search.find(surface, surface.start);
-    }
-    tangled.find(surface, crossings);
-    return crossings.empty();
+    return same_places(surface.start, clean_end) || same_places(surface.start, clean_start) ||
+           crossing_search.find(surface, surface.start).empty();
 }
 
-void ContactSolver::Impl::measure_end(double dt, int left, ContactReport& report) {
+void ContactSolver::Impl::measure_end(double dt,
+                                      bool clean_before,
+                                      int left,
+                                      ContactReport& report) {
     ends.resize(surface.start.size());
     parallel_for(ends.size(),
                  [&](std::size_t i) { ends[i] = surface.start[i] + dt * surface.velocity[i]; });
@@ -335,14 +328,8 @@ ContactReport ContactSolver::Impl::resolve(double dt,
                                            std::optional<std::span<const Contact>> contacts) {
     ContactReport report;
     look.assign(surface.start.size(), 0);
-    if (!contacts) {
-        clean_before = is_clean_start();
-    }
+    const bool clean_before = is_clean_start();
     report.was_clean = clean_before;
-    if (!tangled.empty()) {
-        tangled.draw_out(surface, dt);
-        clean_motion = false;
-    }
     if (contacts) {
         guard(*contacts, dt, report);
     } else {
@@ -350,7 +337,7 @@ ContactReport ContactSolver::Impl::resolve(double dt,
         settle_proximities(dt, report);
     }
     const int left = contacts && clean_motion ? 0 : resolve_impacts(dt, report);
-    measure_end(dt, left, report);
+    measure_end(dt, clean_before, left, report);
     report.seconds_broad += std::exchange(seconds_broad, 0.0);
     report.seconds_proximity += std::exchange(seconds_proximity, 0.0);
     report.seconds_impact += std::exchange(seconds_impact, 0.0);
@@ -383,7 +370,6 @@ void ContactSolver::find_contacts(const World& world,
         return;
     }
     place_surface(impl_->surface, world, world.velocities, held, dt);
-    impl_->clean_before = impl_->is_clean_start();
     impl_->find_candidates(dt);
     impl_->clean_motion = false;
     const Stopwatch watch;
