@@ -80,7 +80,7 @@ const std::vector<Broken> k_broken{
      "a.toml:2:8: cloth[0].name = \"a/b\": must be letters, digits, '_' or '-', at most 64: it "
      "names files"},
     {"twice the same name", k_ball + "[[cloth]]\nname = \"ball\"\ngrid = {}\n",
-     "a.toml:5:8: cloth[0].name = \"ball\": must be unique: another object has it"},
+     "a.toml:5:8: cloth[0].name = \"ball\": must be unique: another one has it"},
     {"no mesh", "[[cloth]]\nname = \"flag\"\n", "a.toml:1:1: cloth[0]: needs mesh or grid"},
     {"mesh and grid", cloth("mesh = \"a.obj\"\n"),
      "a.toml:1:1: cloth[0]: has mesh and grid: must be one of them"},
