@@ -47,12 +47,16 @@ Vec3 FrictionLaw::force(const Vec3& displacement) const {
 }
 
 Mat3 FrictionLaw::tangent(const Vec3& displacement) const {
+    return cautious_tangent(displacement, 0.0);
+}
+
+Mat3 FrictionLaw::cautious_tangent(const Vec3& displacement, double caution) const {
     const double length = displacement.norm();
     if (stiffness * length <= limit) {
         return stiffness * Mat3::Identity();
     }
     const Vec3 along = displacement / length;
-    return limit / length * (Mat3::Identity() - along * along.transpose());
+    return limit / length * (Mat3::Identity() - (1.0 - caution) * along * along.transpose());
 }
 
 double FrictionLaw::energy(const Vec3& displacement) const {

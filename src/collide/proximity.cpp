@@ -9,8 +9,9 @@ namespace weft {
 namespace {
 
 /// Sine of the angle by which a connection may lean towards a triangle beside it. Smaller: contacts
-/// on slightly curved faces are lost to rounding; larger: sliding over flat meshes is braked.
-constexpr double k_lean = 0.02;
+/// at shared edges are lost to rounding; larger: what slides far in a substep is lifted, and
+/// braked.
+constexpr double k_lean = 1e-5;
 
 constexpr std::size_t k_chunk_candidates = 512;
 

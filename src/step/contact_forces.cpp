@@ -132,7 +132,10 @@ void ContactForces::find_places(std::span<const Index> row_of_vertex,
     });
 }
 
-void ContactForces::add_blocks(std::span<const Vec3> x, double scale, BlockMatrix& matrix) {
+void ContactForces::add_blocks(std::span<const Vec3> x,
+                               double scale,
+                               double caution,
+                               BlockMatrix& matrix) {
     assert(places_.size() == springs_.size());
     blocks_.resize(springs_.size());
     parallel_for(springs_.size(), [&](std::size_t c) {
@@ -141,10 +144,12 @@ void ContactForces::add_blocks(std::span<const Vec3> x, double scale, BlockMatri
         const Vec3& n = contacts_[c].normal;
         const Mat3 along = n * n.transpose();
         const Mat3 plane = Mat3::Identity() - along;
-        blocks_[c] = push == 0.0
-                         ? Mat3(Mat3::Zero())
-                         : Mat3(scale * (push * along +
-                                         plane * springs_[c].hold.tangent(now.across) * plane));
+        blocks_[c] =
+            push == 0.0
+                ? Mat3(Mat3::Zero())
+                : Mat3(scale *
+                       (push * along +
+                        plane * springs_[c].hold.cautious_tangent(now.across, caution) * plane));
     });
     // Contacts share blocks: one after the other.
     for (std::size_t c = 0; c < springs_.size(); ++c) {

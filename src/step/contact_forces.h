@@ -53,7 +53,8 @@ public:
                      const BlockMatrix& matrix);
 
     /// Adds scale * stiffness where vertices end at x to the blocks found.
-    void add_blocks(std::span<const Vec3> x, double scale, BlockMatrix& matrix);
+    /// @param caution of friction that slides, see FrictionLaw
+    void add_blocks(std::span<const Vec3> x, double scale, double caution, BlockMatrix& matrix);
 
     /// Writes what was carried, when vertices end at x, to the list given to take().
     void report(std::span<const Vec3> x, std::span<Contact> contacts) const;

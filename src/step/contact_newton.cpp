@@ -13,17 +13,29 @@ namespace weft {
 namespace {
 
 /// Rounds at most. What is not balanced then is small, and is balanced in the next substep.
-constexpr int k_most_rounds = 16;
+constexpr int k_most_rounds = 24;
+
+/// Rounds in which the limits of friction are fitted to what pushes now. After them the limits
+/// stand, so that rounds which hand load to and fro come to an end.
+constexpr int k_fitting_rounds = 24;
 
 /// How much better each round's linear solve makes the balance: half of what the last round did,
-/// as what is solved better than the contacts still change is wasted (Eisenstat and Walker 1996).
+/// as what is solved better than the contacts still change is wasted (Eisenstat and Walker 1996);
+/// but well where a round brought little, for which a poor direction may be to blame.
 constexpr double k_first_forcing = 0.2;
+constexpr double k_little = 0.5;
 constexpr double k_least_forcing = 0.03;
 constexpr double k_greatest_forcing = 0.3;
 
 /// A full Newton change is taken when the slope of the potential has fallen to this share.
 constexpr double k_slope_share = 0.1;
 constexpr int k_most_cuts = 40;
+constexpr double k_greatest_share = 16.0;
+
+/// A round that could go less than this share of its way met friction that its tangent did not
+/// see; the next one is cautious, and those after it less and less.
+constexpr double k_short_share = 0.3;
+constexpr double k_caution_kept = 0.5;
 
 std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
@@ -64,7 +76,7 @@ ContactNewton::build_matrix(const LinearStep& step, ContactForces& contact, Bala
             contact.find_places(step.row_of_vertex, step.held, coupled_.matrix());
         }
         coupled_.load(*step.matrix);
-        contact.add_blocks(step.x, step.beta * step.beta, coupled_.matrix());
+        contact.add_blocks(step.x, step.beta * step.beta, caution_, coupled_.matrix());
     }
     if (!same_pattern) {
         preconditioner_.reset();
@@ -92,7 +104,7 @@ bool ContactNewton::find_direction(const LinearStep& step,
     return cg.converged;
 }
 
-/// Share in (0, 1] of the direction at which the slope of the potential has all but vanished.
+/// Multiple of the direction at which the slope of the potential has all but vanished.
 /// @param slope, curvature  of the step alone along the direction
 double
 ContactNewton::best_share(const ContactForces& contact, double slope, double curvature) const {
@@ -100,13 +112,19 @@ ContactNewton::best_share(const ContactForces& contact, double slope, double cur
         return slope + share * curvature - contact.work_along(share);
     };
     const double enough = k_slope_share * std::abs(slope_at(0.0));
+    double low = 0.0;
+    double slope_low = slope_at(low);
     double high = 1.0;
     double slope_high = slope_at(high);
+    while (slope_high < -enough && high < k_greatest_share) {
+        low = high;
+        slope_low = slope_high;
+        high *= 2.0;
+        slope_high = slope_at(high);
+    }
     if (slope_high <= enough) {
         return high;
     }
-    double low = 0.0;
-    double slope_low = slope_at(low);
     double share = high;
     for (int i = 0; i < k_most_cuts; ++i) {
         // The root of the secant, but well inside the bracket: slopes have kinks.
@@ -122,9 +140,9 @@ ContactNewton::best_share(const ContactForces& contact, double slope, double cur
     return share;
 }
 
-void ContactNewton::move_along(const LinearStep& step,
-                               ContactForces& contact,
-                               std::span<const Vec3> direction) {
+double ContactNewton::move_along(const LinearStep& step,
+                                 ContactForces& contact,
+                                 std::span<const Vec3> direction) {
     product_.resize(direction.size());
     multiply(*step.matrix, direction, product_);
     motion_.resize(step.x.size());
@@ -134,7 +152,7 @@ void ContactNewton::move_along(const LinearStep& step,
     const double slope = -dot(step.residual, direction);
     const double curvature = dot(direction, product_);
     if (!(curvature > 0.0)) {
-        return;
+        return 0.0;
     }
     contact.trace(step.x, motion_);
     const double share =
@@ -145,6 +163,7 @@ void ContactNewton::move_along(const LinearStep& step,
         step.v[v] += share * direction[row];
         step.residual[row] -= share * product_[row];
     });
+    return share;
 }
 
 /// What moves freely keeps its momentum to the last bits, however well the solves were ended: the
@@ -175,13 +194,17 @@ void ContactNewton::keep_momentum(const LinearStep& step, const ContactForces& c
 BalanceReport ContactNewton::solve(const LinearStep& step, ContactForces& contact) {
     BalanceReport report;
     double forcing = k_first_forcing;
+    caution_ = 0.0;
     while (true) {
-        contact.fit_limits(step.x);
+        if (report.rounds < k_fitting_rounds) {
+            contact.fit_limits(step.x);
+        }
         const double before = report.imbalance;
         report.imbalance = find_imbalance(step, contact);
         if (report.rounds > 0) {
-            forcing =
-                std::clamp(0.5 * report.imbalance / before, k_least_forcing, k_greatest_forcing);
+            const double left = report.imbalance / before;
+            forcing = left > k_little ? k_least_forcing
+                                      : std::clamp(0.5 * left, k_least_forcing, k_greatest_forcing);
         }
         report.converged = std::isfinite(report.imbalance);
         if (!report.converged || report.imbalance <= step.tolerance ||
@@ -192,7 +215,8 @@ BalanceReport ContactNewton::solve(const LinearStep& step, ContactForces& contac
             report.converged = false;
             break;
         }
-        move_along(step, contact, direction_);
+        const double share = move_along(step, contact, direction_);
+        caution_ = share < k_short_share ? 1.0 : k_caution_kept * caution_;
         ++report.rounds;
     }
     if (report.converged) {

@@ -42,7 +42,8 @@ public:
     BalanceReport solve(const LinearStep& step, ContactForces& contact);
 
     /// Moves along `direction` (by row, 0 for held rows) as far as lowers the potential most.
-    void
+    /// Returns the multiple of the direction.
+    double
     move_along(const LinearStep& step, ContactForces& contact, std::span<const Vec3> direction);
 
 private:
@@ -60,7 +61,8 @@ private:
     IncompleteCholesky preconditioner_;
     ConjugateGradient cg_;
     bool was_coupled_ = false;
-    int revision_ = -1; ///< of the contacts whose blocks are coupled
+    double caution_ = 0.0; ///< of the round, see FrictionLaw
+    int revision_ = -1;    ///< of the contacts whose blocks are coupled
     std::vector<BlockEntry> joined_;
     std::vector<Vec3> imbalance_, direction_, product_; ///< by row
     std::vector<Vec3> forces_, motion_;                 ///< by vertex

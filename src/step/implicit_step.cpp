@@ -92,11 +92,7 @@ void ImplicitStep::solve_again(const World& world,
                                std::span<Contact> contacts,
                                ImplicitReport& report) {
     contact_forces_.take(contacts);
-    if (params_.newton == 1) {
-        balance(held, report); // the linearisation still stands
-    } else {
-        newton_iteration(held, false, report);
-    }
+    newton_iteration(held, false, report); // what meets deforms cloth: linearised where it is now
     finish(world, held, end_positions, end_velocities, contacts, report);
 }
 
@@ -153,7 +149,7 @@ bool ImplicitStep::newton_iteration(const HeldVertices& held,
     ++report.newton_iterations;
 
     parallel_for(v_.size(), [&](std::size_t i) { change_[i] = v_[i] - linear_v_[i]; });
-    if (params_.newton > 1 && !is_first) {
+    if (!is_first) {
         const double length = line_search(linear_v_, slope);
         parallel_for(v_.size(), [&](std::size_t i) { v_[i] = linear_v_[i] + length * change_[i]; });
         move_to(v_, x_);

@@ -75,7 +75,7 @@ TEST(ContactForces, BlocksAreTheDerivativesOfTheForces) {
     two.forces.list_blocks(rows, entries);
     BlockMatrix matrix = make_pattern(4, entries);
     two.forces.find_places(rows, std::vector<char>(4, 0), matrix);
-    two.forces.add_blocks(two.x, 1.0, matrix);
+    two.forces.add_blocks(two.x, 1.0, 0.0, matrix);
 
     for (std::size_t j = 0; j < 4; ++j) {
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
