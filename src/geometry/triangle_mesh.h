@@ -28,8 +28,8 @@ struct MeshEdge {
     bool is_boundary() const { return triangle[1] == k_no_index; }
 };
 
-/// All edges of a mesh, sorted by (triangle[0], corner), and for each triangle its three edges:
-/// triangle_edges[t][k] is the edge opposite to corner k.
+/// All edges of a mesh, and for each triangle its three edges: triangle_edges[t][k] is the edge
+/// opposite to corner k. As build_edges makes them, edges are sorted by (triangle[0], corner).
 struct EdgeTopology {
     std::vector<MeshEdge> edges;
     std::vector<std::array<Index, 3>> triangle_edges;
