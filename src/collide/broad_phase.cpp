@@ -47,14 +47,13 @@ bool BroadPhase::FittedMotion::operator==(const FittedMotion& other) const {
 BroadPhase::BroadPhase(const ContactSurface& surface, bool self) : self_(self) {
     double largest = 0.0;
     for (const ContactObject& object : surface.objects) {
-        largest = std::max({largest, object.thickness, object.self_thickness});
+        largest = std::max(largest, object.thickness);
     }
     for (const ContactObject& object : surface.objects) {
         // Half from each side: a pair's boxes then lie together by at least its thickness.
-        const double thickness =
-            object.is_obstacle ? largest : std::max(object.thickness, object.self_thickness);
+        const double thickness = object.is_obstacle ? largest : object.thickness;
         reach_.push_back(0.5 * k_reach * thickness);
-        slack_.push_back(object.is_obstacle ? 0.0 : k_slack * object.self_thickness);
+        slack_.push_back(object.is_obstacle ? 0.0 : k_slack * object.thickness);
     }
     vertex_boxes_.resize(surface.start.size());
     triangle_boxes_.resize(surface.triangles.size());

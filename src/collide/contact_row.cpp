@@ -106,7 +106,8 @@ ContactRow make_row(const ContactSurface& surface,
         apart += w * x[i];
     }
     row.mass = inverse_mass > 0.0 ? 1.0 / inverse_mass : 0.0;
-    const double overlap = rule.thickness - row.normal.dot(apart);
+    const double overlap =
+        surface.thickness_of(candidate.vertices, candidate.kind) - row.normal.dot(apart);
     row.least_speed = overlap / dt * (overlap > 0.0 ? parting_share(dt) : 1.0);
     return row;
 }

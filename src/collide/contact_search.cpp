@@ -33,15 +33,16 @@ Contact make_contact(const ContactSurface& surface,
                      double dt) {
     const ContactRow row = make_row(surface, candidate, place, dt);
     const PairRule& rule = surface.rules[at(candidate.rule)];
+    const double thickness = surface.thickness_of(candidate.vertices, candidate.kind);
     Contact contact{.pair = candidate.vertices,
                     .kind = candidate.kind,
                     .vertices = candidate.vertices,
                     .weights = row.weights,
                     .normal = row.normal,
                     .gap = 0.0,
-                    .thickness = rule.thickness,
-                    .rest = rule.thickness,
-                    .room = k_room * rule.thickness,
+                    .thickness = thickness,
+                    .rest = thickness,
+                    .room = k_room * thickness,
                     .mass = row.mass,
                     .friction = rule.friction,
                     .static_friction = rule.static_friction,

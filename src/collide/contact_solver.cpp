@@ -86,11 +86,11 @@ struct ContactSolver::Impl {
         : params(contact), surface(make_surface(world, contact)),
           broad_phase(surface, contact.self), crossing_search(surface, contact.self) {
         for (const ContactObject& object : surface.objects) {
-            if (contact.self && object.self_thickness < object.thickness) {
+            if (contact.self && object.least_thickness < object.thickness) {
                 warnings.push_back(fmt::format(
-                    "{}: contact thickness {:g} m is coarse for its triangles; {:g} m is used "
-                    "between cloth and cloth",
-                    object.name, object.thickness, object.self_thickness));
+                    "{}: contact thickness {:g} m is coarse for some of its triangles; down to "
+                    "{:.3g} m is used there between cloth and cloth",
+                    object.name, object.thickness, object.least_thickness));
             }
         }
     }

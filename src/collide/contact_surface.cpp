@@ -85,8 +85,8 @@ PairRule rule_between(const ContactObject& a,
                       const ContactObject& b,
                       std::span<const FrictionPair> friction) {
     const bool both_deformable = !a.is_obstacle && !b.is_obstacle;
-    const double thickness = both_deformable ? 0.5 * (a.self_thickness + b.self_thickness)
-                                             : std::max(a.thickness, b.thickness);
+    const double thickness =
+        both_deformable ? 0.5 * (a.thickness + b.thickness) : std::max(a.thickness, b.thickness);
     if (const FrictionPair* pair = find_pair(friction, a.name, b.name)) {
         return {thickness, pair->friction, pair->static_friction.value_or(pair->friction)};
     }
@@ -135,14 +135,28 @@ void place_deforming(ContactSurface& surface,
 
 } // namespace
 
-double finest_thickness(const Cloth& cloth) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const RestTriangle& rest : cloth.rest) {
+double ContactSurface::thickness_of(const std::array<Index, 4>& pair, PairKind kind) const {
+    if (!is_deformable(pair[0]) || !is_deformable(pair[3])) {
+        return rules[at(rule_of(pair[0], pair[3]))].thickness;
+    }
+    const auto own = [&](std::size_t i) { return self_thickness[at(pair[i])]; };
+    const double first = kind == PairKind::VertexFace ? own(0) : std::min(own(0), own(1));
+    const double last = std::min(own(2), own(3));
+    return 0.5 * (first + (kind == PairKind::VertexFace ? std::min(own(1), last) : last));
+}
+
+std::vector<double> finest_thickness(const Cloth& cloth) {
+    std::vector<double> finest(at(cloth.vertex_count), std::numeric_limits<double>::infinity());
+    for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
+        double longest = 0.0;
         for (int k = 0; k < 3; ++k) {
-            least = std::min(least, 2.0 * rest.area / rest_edge_length(rest, k));
+            longest = std::max(longest, rest_edge_length(cloth.rest[t], k));
+        }
+        for (const Index v : cloth.triangles[t]) {
+            finest[at(v)] = std::min(finest[at(v)], cloth.rest[t].area / longest);
         }
     }
-    return 0.5 * least;
+    return finest;
 }
 
 ContactSurface make_surface(const World& world, const ContactParams& contact) {
@@ -153,7 +167,12 @@ ContactSurface make_surface(const World& world, const ContactParams& contact) {
         object.first_vertex = cloth.first_vertex;
         object.vertex_count = cloth.vertex_count;
         object.thickness = fabric.thickness;
-        object.self_thickness = std::min(fabric.thickness, finest_thickness(cloth));
+        object.least_thickness = fabric.thickness;
+        for (const double finest : finest_thickness(cloth)) {
+            surface.self_thickness.push_back(std::min(fabric.thickness, finest));
+            object.least_thickness =
+                std::min(object.least_thickness, surface.self_thickness.back());
+        }
         object.friction = fabric.friction;
         object.static_friction = fabric.static_friction.value_or(fabric.friction);
         add_mesh(surface, std::move(object), cloth.triangles, cloth.topology);

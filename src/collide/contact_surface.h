@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/separation.h"
 #include "state/world.h"
 
 #include <span>
@@ -13,7 +14,7 @@ struct ContactObject {
     Index first_vertex = 0, vertex_count = 0;     ///< of ContactSurface
     Index first_triangle = 0, triangle_count = 0; ///< of ContactSurface
     double thickness = 0.0;       ///< to obstacles, m; 0 for an obstacle, which takes the cloth's
-    double self_thickness = 0.0;  ///< to deformables, m: lowered where the mesh is finer than it
+    double least_thickness = 0.0; ///< to deformables, where the mesh is finest, m
     double friction = 0.0;        ///< Coulomb, kinetic
     double static_friction = 0.0; ///< Coulomb, of what rests
     Pose start{}, end{};          ///< of a rigid obstacle, over the substep
@@ -23,8 +24,8 @@ struct ContactObject {
 
 /// What two objects agree on.
 struct PairRule {
-    double thickness;       ///< wanted distance, m
-    double friction;        ///< Coulomb, kinetic
+    double thickness; ///< wanted distance, m; of two deformables: where their meshes are coarse
+    double friction;  ///< Coulomb, kinetic
     double static_friction; ///< Coulomb, of what rests; >= friction
 };
 
@@ -36,6 +37,9 @@ struct ContactSurface {
     Index deformable_vertices = 0;
     Index deformable_triangles = 0;
     std::vector<Index> object_of_vertex;
+    /// Of each deformable vertex: wanted distance to deformables, m: the cloth's, lowered where the
+    /// mesh is finer than it.
+    std::vector<double> self_thickness;
     std::vector<Triangle> triangles;
     /// Of each triangle: bit k: it speaks for its corner k; bit 3 + k: for its side opposite to k.
     /// Each vertex and edge of the surface has one triangle that speaks for it.
@@ -68,6 +72,8 @@ struct ContactSurface {
         return are_one(t[0], v) || are_one(t[1], v) || are_one(t[2], v);
     }
     bool is_deformable(Index vertex) const { return vertex < deformable_vertices; }
+    /// Wanted distance of a pair, m.
+    double thickness_of(const std::array<Index, 4>& pair, PairKind kind) const;
     Index rule_of(Index vertex_a, Index vertex_b) const {
         return object_of_vertex[static_cast<std::size_t>(vertex_a)] *
                    static_cast<Index>(objects.size()) +
@@ -91,8 +97,8 @@ void place_surface(ContactSurface& surface,
                    std::span<const char> held,
                    double dt);
 
-/// Largest contact thickness (m) below which a flat cloth at rest has no pair in contact: half the
-/// least altitude of its rest triangles.
-double finest_thickness(const Cloth& cloth);
+/// Of each vertex of a cloth: largest contact thickness (m) below which a flat cloth at rest has no
+/// pair in contact there: half the least altitude of the rest triangles around it.
+std::vector<double> finest_thickness(const Cloth& cloth);
 
 } // namespace weft

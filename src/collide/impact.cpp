@@ -47,7 +47,7 @@ void ImpactSearch::find(const ContactSurface& surface,
         if (!look[at(v[0])] && !look[at(v[1])] && !look[at(v[2])] && !look[at(v[3])]) {
             return;
         }
-        const double thickness = surface.rules[at(candidates[i].rule)].thickness;
+        const double thickness = surface.thickness_of(v, candidates[i].kind);
         const PairPoints x = start_points(surface, v);
         const PairPoints motion = displacements(surface, v, dt);
         const ApproachLimit nearest{limit.thickness_share * thickness, limit.start_share};

@@ -120,7 +120,7 @@ bool is_nearest_here(const ContactSurface& surface,
 }
 
 std::optional<Separation> near_place(const ContactSurface& surface, const Candidate& candidate) {
-    const double reach = k_reach * surface.rules[at(candidate.rule)].thickness;
+    const double reach = k_reach * surface.thickness_of(candidate.vertices, candidate.kind);
     const PairPoints x = start_points(surface, candidate.vertices);
     if (!may_be_near(candidate.kind, x, reach)) {
         return {};

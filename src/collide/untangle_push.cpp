@@ -16,17 +16,12 @@ bool share_vertex(const ContactSurface& surface, const Triangle& s, const Triang
     return std::any_of(s.begin(), s.end(), [&](Index v) { return surface.has_corner(t, v); });
 }
 
-double room_between(const Tangle& tangle, Index vertex_a, Index vertex_b, double share) {
-    const ContactSurface& surface = tangle.surface;
-    return share * surface.rules[at(surface.rule_of(vertex_a, vertex_b))].thickness;
-}
-
 void add_separation(const Tangle& tangle,
                     PairKind kind,
                     const std::array<Index, 4>& v,
                     double share,
                     std::vector<Push>& pushes) {
-    const double room = room_between(tangle, v[0], v[3], share);
+    const double room = share * tangle.surface.thickness_of(v, kind);
     const Separation s = separation(
         kind, {tangle.x[at(v[0])], tangle.x[at(v[1])], tangle.x[at(v[2])], tangle.x[at(v[3])]});
     if (s.distance < room && s.distance > 0.0) {

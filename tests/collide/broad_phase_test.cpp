@@ -79,8 +79,7 @@ std::set<Key> brute_force(const ContactSurface& surface) {
         const std::set<Index> different(v.begin(), v.end());
         const bool has_deformable =
             std::any_of(v.begin(), v.end(), [&](Index i) { return surface.is_deformable(i); });
-        const double thickness =
-            surface.rules[static_cast<std::size_t>(surface.rule_of(v[0], v[3]))].thickness;
+        const double thickness = surface.thickness_of(v, kind);
         if (different.size() == 4 && has_deformable &&
             least_distance(surface, kind, v) < thickness) {
             near.insert(key_of(kind, v));

@@ -58,4 +58,28 @@ TEST_F(FrictionOfPairs, IsTheTablesInEitherOrder) {
     EXPECT_DOUBLE_EQ(rule(2, 1).friction, std::sqrt(0.1 * 0.8));
 }
 
+TEST(ContactThickness, IsLoweredWhereTheMeshIsFineAlone) {
+    World world;
+    FabricParams fabric;
+    fabric.thickness = 4e-3;
+    Cloth& sheet = test::add_sheet(world, 4, 0.4, 0.0, fabric); // right angles, legs of 0.1 m
+    RestTriangle& thin = sheet.rest.front();
+    thin.inverse_edges.row(1) *= 100.0; // 1 mm high over its first side of 0.1 m
+    thin.area /= 100.0;
+    const ContactSurface surface = make_surface(world);
+
+    const Triangle& corners = sheet.triangles.front();
+    for (Index v = 0; v < sheet.vertex_count; ++v) {
+        const bool is_corner = std::find(corners.begin(), corners.end(), v) != corners.end();
+        EXPECT_LE(surface.self_thickness[static_cast<std::size_t>(v)], is_corner ? 0.5e-3 : 4e-3);
+        EXPECT_GE(surface.self_thickness[static_cast<std::size_t>(v)], is_corner ? 0.3e-3 : 4e-3);
+    }
+    const Triangle& far = sheet.triangles.back();
+    EXPECT_DOUBLE_EQ(surface.thickness_of({far[0], far[1], far[2], far[0]}, PairKind::VertexFace),
+                     4e-3);
+    EXPECT_LT(
+        surface.thickness_of({far[0], corners[0], corners[1], corners[2]}, PairKind::VertexFace),
+        0.5 * (4e-3 + 0.5e-3) + 1e-12);
+}
+
 } // namespace weft
