@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace weft {
@@ -30,13 +31,26 @@ AirForce air_drag(const Vec3& doubled_area_normal, const Vec3& relative_velocity
 
 AirElements::AirElements(const Cloth& cloth, const SceneParams& scene)
     : density_(scene.air_density), wind_(scene.wind), pressure_(cloth.params.pressure) {
-    if (density_ <= 0.0 && pressure_ == 0.0) {
+    if (!acts()) {
         return;
     }
     nodes_.reserve(3 * cloth.triangles.size());
     for (const Triangle& t : cloth.triangles) {
         nodes_.insert(nodes_.end(), t.begin(), t.end());
     }
+}
+
+std::vector<Index> AirElements::update(const Cloth& cloth, const ClothChanges& changes) {
+    reference_.clear();
+    if (!acts()) {
+        return {};
+    }
+    nodes_.resize(3 * cloth.triangles.size());
+    for (const Index slot : changes.triangles) {
+        const auto t = static_cast<std::size_t>(slot);
+        std::copy(cloth.triangles[t].begin(), cloth.triangles[t].end(), &nodes_[3 * t]);
+    }
+    return changes.triangles;
 }
 
 double AirElements::energy(std::span<const Vec3> x) const {

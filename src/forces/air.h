@@ -3,6 +3,7 @@
 #include "forces/element_terms.h"
 #include "scene/params.h"
 #include "state/cloth.h"
+#include "state/cloth_changes.h"
 
 #include <span>
 #include <vector>
@@ -37,6 +38,9 @@ public:
     /// No elements without air and pressure.
     AirElements(const Cloth& cloth, const SceneParams& scene);
 
+    /// Forgets what drag was linearised at.
+    std::vector<Index> update(const Cloth& cloth, const ClothChanges& changes);
+
     /// From now on drag is linear in the velocity, tangent to the law at these velocities (#V of
     /// the cloth, m/s): an implicit step whose first iterate is far from them still sees the right
     /// drag.
@@ -57,6 +61,7 @@ public:
                   std::span<Mat3> element_blocks) const;
 
 private:
+    bool acts() const { return density_ > 0.0 || pressure_ != 0.0; }
     AirForce on_face(std::size_t t, std::span<const Vec3> x, std::span<const Vec3> v) const;
 
     double density_;

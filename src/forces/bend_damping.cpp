@@ -1,6 +1,7 @@
 #include "forces/bend_damping.h"
 
 #include "base/parallel.h"
+#include "forces/changed_slots.h"
 #include "geometry/dihedral.h"
 #include "geometry/triangle_mesh.h"
 
@@ -43,33 +44,61 @@ ElementTerms<4> hinge_damping_terms(const std::array<Vec3, 4>& x,
     return terms;
 }
 
-BendDampingElements::BendDampingElements(const Cloth& cloth) {
-    const FabricParams& fabric = cloth.params.fabric;
-    const double stiffness = fabric.damping(1) * fabric.bend_stiffness;
-    if (stiffness <= 0.0) {
+BendDampingElements::BendDampingElements(const Cloth& cloth)
+    : stiffness_(cloth.params.fabric.damping(1) * cloth.params.fabric.bend_stiffness) {
+    if (stiffness_ <= 0.0) {
         return;
     }
-    for (const MeshEdge& edge : cloth.topology.edges) {
-        if (edge.is_boundary()) {
-            continue;
-        }
-        const auto t = static_cast<std::size_t>(edge.triangle[0]);
-        const double a0 = cloth.rest[t].area;
-        const double a1 = cloth.rest[static_cast<std::size_t>(edge.triangle[1])].area;
-        const Triangle& corners = cloth.triangles[t];
-        const auto opposite = static_cast<int>(
-            std::find(corners.begin(), corners.end(), edge.apex[0]) - corners.begin());
-        const double length = rest_edge_length(cloth.rest[t], opposite);
-        hinges_.push_back(
-            {stiffness * length * length / (a0 + a1), k_collapsed_share * std::min(a0, a1)});
-        nodes_.insert(nodes_.end(), {edge.v[0], edge.v[1], edge.apex[0], edge.apex[1]});
+    hinges_.resize(cloth.topology.edges.size());
+    nodes_.resize(4 * hinges_.size());
+    for (std::size_t e = 0; e < hinges_.size(); ++e) {
+        set_hinge(cloth, static_cast<Index>(e));
     }
+}
+
+std::vector<Index> BendDampingElements::update(const Cloth& cloth, const ClothChanges& changes) {
+    if (stiffness_ <= 0.0) {
+        return {};
+    }
+    hinges_.resize(cloth.topology.edges.size());
+    nodes_.resize(4 * hinges_.size());
+    std::vector<Index> slots = changed_hinges(cloth, changes);
+    for (const Index slot : slots) {
+        set_hinge(cloth, slot);
+    }
+    return slots;
+}
+
+void BendDampingElements::set_hinge(const Cloth& cloth, Index slot) {
+    const auto e = static_cast<std::size_t>(slot);
+    const MeshEdge& edge = cloth.topology.edges[e];
+    if (edge.is_boundary()) {
+        hinges_[e] = {0.0, 0.0};
+        std::fill_n(&nodes_[4 * e], 4, k_no_index);
+        return;
+    }
+    const auto t = static_cast<std::size_t>(edge.triangle[0]);
+    const double a0 = cloth.rest[t].area;
+    const double a1 = cloth.rest[static_cast<std::size_t>(edge.triangle[1])].area;
+    const Triangle& corners = cloth.triangles[t];
+    const auto opposite =
+        static_cast<int>(std::find(corners.begin(), corners.end(), edge.apex[0]) - corners.begin());
+    const double length = rest_edge_length(cloth.rest[t], opposite);
+    hinges_[e] = {stiffness_ * length * length / (a0 + a1), k_collapsed_share * std::min(a0, a1)};
+    std::copy(edge.v.begin(), edge.v.end(), &nodes_[4 * e]);
+    std::copy(edge.apex.begin(), edge.apex.end(), &nodes_[4 * e + 2]);
 }
 
 ElementTerms<4> BendDampingElements::terms(std::size_t hinge,
                                            std::span<const Vec3> x,
                                            std::span<const Vec3> v,
                                            SystemScales scales) const {
+    if (nodes_[4 * hinge] == k_no_index) {
+        ElementTerms<4> none;
+        none.force.fill(Vec3::Zero());
+        none.stiffness.fill(Mat3::Zero());
+        return none;
+    }
     std::array<Vec3, 4> positions, velocities;
     for (std::size_t a = 0; a < 4; ++a) {
         const auto vertex = static_cast<std::size_t>(nodes_[4 * hinge + a]);

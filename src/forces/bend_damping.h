@@ -2,6 +2,7 @@
 
 #include "forces/element_terms.h"
 #include "state/cloth.h"
+#include "state/cloth_changes.h"
 
 #include <span>
 #include <vector>
@@ -21,15 +22,18 @@ ElementTerms<4> hinge_damping_terms(const std::array<Vec3, 4>& x,
                                     double least_area,
                                     SystemScales scales);
 
-/// Damping of bending over a whole cloth: a hinge an inner edge with c = tau D L^2 / (A0 + A1), tau
-/// the fabric's stiffness damping (see forces/element_terms.h). The constant matrix of the elastic
-/// part cannot serve for this: -tau Q v brakes the rotation of a bent sheet.
+/// Damping of bending over a whole cloth: a hinge an edge with c = tau D L^2 / (A0 + A1), tau the
+/// fabric's stiffness damping (see forces/element_terms.h); on the boundary c = 0 and all nodes are
+/// k_no_index. The constant matrix of the elastic part cannot serve for this: -tau Q v brakes the
+/// rotation of a bent sheet.
 class BendDampingElements {
 public:
     static constexpr int k_nodes = 4;
 
     /// No elements when the fabric's damping or rigidity is zero.
     explicit BendDampingElements(const Cloth& cloth);
+
+    std::vector<Index> update(const Cloth& cloth, const ClothChanges& changes);
 
     std::size_t size() const { return hinges_.size(); }
     std::span<const Index> nodes() const { return nodes_; }
@@ -47,11 +51,13 @@ private:
         double damping;    ///< N m s
         double least_area; ///< m^2
     };
+    void set_hinge(const Cloth& cloth, Index slot);
     ElementTerms<4> terms(std::size_t hinge,
                           std::span<const Vec3> x,
                           std::span<const Vec3> v,
                           SystemScales scales) const;
 
+    double stiffness_; ///< tau D, N m s
     std::vector<Hinge> hinges_;
     std::vector<Index> nodes_;
 };

@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "forces/bending.h"
+#include "forces/changed_slots.h"
 
 #include <algorithm>
 #include <cassert>
@@ -24,42 +25,45 @@ RestCorners corners_from(const Cloth& cloth, Index t, Index first) {
     return {corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]};
 }
 
-void add_hinges(const Cloth& cloth, std::vector<Index>& nodes, std::vector<double>& stiffness) {
-    for (const MeshEdge& edge : cloth.topology.edges) {
-        if (edge.is_boundary()) {
-            continue;
-        }
-        // turned to (apex, v0, v1) and (apex, v1, v0)
-        const RestCorners left = corners_from(cloth, edge.triangle[0], edge.apex[0]);
-        const RestCorners right = corners_from(cloth, edge.triangle[1], edge.apex[1]);
-        const auto jump = edge_jump({rest_cotangent(left, 1), rest_cotangent(right, 2)},
-                                    {rest_cotangent(left, 2), rest_cotangent(right, 1)});
-        const auto q = hinge_bend_stiffness(
-            jump, cloth.rest[at(edge.triangle[0])].area + cloth.rest[at(edge.triangle[1])].area,
-            cloth.params.fabric.bend_stiffness);
-        nodes.insert(nodes.end(), {edge.v[0], edge.v[1], edge.apex[0], edge.apex[1]});
-        stiffness.insert(stiffness.end(), q.begin(), q.end());
+/// Stencil of an edge; nothing where there is no second triangle to bend against.
+void set_hinge(const Cloth& cloth,
+               const MeshEdge& edge,
+               std::span<Index> nodes,
+               std::span<double> stiffness) {
+    if (edge.is_boundary()) {
+        std::fill(nodes.begin(), nodes.end(), k_no_index);
+        std::fill(stiffness.begin(), stiffness.end(), 0.0);
+        return;
     }
+    // turned to (apex, v0, v1) and (apex, v1, v0)
+    const RestCorners left = corners_from(cloth, edge.triangle[0], edge.apex[0]);
+    const RestCorners right = corners_from(cloth, edge.triangle[1], edge.apex[1]);
+    const auto jump = edge_jump({rest_cotangent(left, 1), rest_cotangent(right, 2)},
+                                {rest_cotangent(left, 2), rest_cotangent(right, 1)});
+    const auto q = hinge_bend_stiffness(
+        jump, cloth.rest[at(edge.triangle[0])].area + cloth.rest[at(edge.triangle[1])].area,
+        cloth.params.fabric.bend_stiffness);
+    std::copy(edge.v.begin(), edge.v.end(), nodes.begin());
+    std::copy(edge.apex.begin(), edge.apex.end(), nodes.begin() + 2);
+    std::copy(q.begin(), q.end(), stiffness.begin());
 }
 
-void add_patches(const Cloth& cloth, std::vector<Index>& nodes, std::vector<double>& stiffness) {
-    for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
-        const Triangle& triangle = cloth.triangles[t];
-        BendPatch patch{};
-        patch.corners = rest_corners(cloth.rest[t]);
-        nodes.insert(nodes.end(), triangle.begin(), triangle.end());
-        for (std::size_t k = 0; k < 3; ++k) {
-            const MeshEdge& edge = cloth.topology.edges[at(cloth.topology.triangle_edges[t][k])];
-            const std::size_t other = edge.triangle[0] == static_cast<Index>(t) ? 1 : 0;
-            patch.has_neighbour[k] = !edge.is_boundary();
-            if (patch.has_neighbour[k]) {
-                patch.neighbours[k] = corners_from(cloth, edge.triangle[other], edge.apex[other]);
-            }
-            nodes.push_back(patch.has_neighbour[k] ? edge.apex[other] : k_no_index);
+void set_patch(const Cloth& cloth, Index t, std::span<Index> nodes, std::span<double> stiffness) {
+    const Triangle& triangle = cloth.triangles[at(t)];
+    BendPatch patch{};
+    patch.corners = rest_corners(cloth.rest[at(t)]);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const MeshEdge& edge = cloth.topology.edges[at(cloth.topology.triangle_edges[at(t)][k])];
+        const std::size_t other = edge.triangle[0] == t ? 1 : 0;
+        patch.has_neighbour[k] = !edge.is_boundary();
+        if (patch.has_neighbour[k]) {
+            patch.neighbours[k] = corners_from(cloth, edge.triangle[other], edge.apex[other]);
         }
-        const auto q = mid_edge_bend_stiffness(patch, cloth.params.fabric.bend_stiffness);
-        stiffness.insert(stiffness.end(), q.begin(), q.end());
+        nodes[k] = triangle[k];
+        nodes[3 + k] = patch.has_neighbour[k] ? edge.apex[other] : k_no_index;
     }
+    const auto q = mid_edge_bend_stiffness(patch, cloth.params.fabric.bend_stiffness);
+    std::copy(q.begin(), q.end(), stiffness.begin());
 }
 
 /// Calls f(a, b, Q_ab) for the whole symmetric matrix of one element.
@@ -78,17 +82,47 @@ template <typename F> void for_each_entry(int n, std::span<const double> q, cons
 } // namespace
 
 ConstantBending::ConstantBending(const Cloth& cloth)
-    : nodes_per_element_(cloth.params.bend_model == BendModel::Quadratic ? 4 : 6) {
+    : model_(cloth.params.bend_model), is_stiff_(cloth.params.fabric.bend_stiffness > 0.0),
+      nodes_per_element_(model_ == BendModel::Quadratic ? 4 : 6) {
     assert(cloth.rest.size() == cloth.triangles.size());
-    if (cloth.params.fabric.bend_stiffness <= 0.0) {
-        return;
+    resize(cloth);
+    for (std::size_t e = 0; e < size(); ++e) {
+        set_element(cloth, static_cast<Index>(e));
     }
-    switch (cloth.params.bend_model) {
+}
+
+std::vector<Index> ConstantBending::update(const Cloth& cloth, const ClothChanges& changes) {
+    if (!is_stiff_) {
+        return {};
+    }
+    resize(cloth);
+    std::vector<Index> slots = model_ == BendModel::Quadratic ? changed_hinges(cloth, changes)
+                                                              : changed_patches(cloth, changes);
+    for (const Index slot : slots) {
+        set_element(cloth, slot);
+    }
+    return slots;
+}
+
+void ConstantBending::resize(const Cloth& cloth) {
+    const std::size_t elements = !is_stiff_                       ? 0
+                                 : model_ == BendModel::Quadratic ? cloth.topology.edges.size()
+                                                                  : cloth.triangles.size();
+    nodes_.resize(elements * static_cast<std::size_t>(nodes_per_element_));
+    stiffness_.resize(elements * static_cast<std::size_t>(block_count(nodes_per_element_)));
+}
+
+void ConstantBending::set_element(const Cloth& cloth, Index slot) {
+    const auto count = static_cast<std::size_t>(nodes_per_element_);
+    const auto entries = static_cast<std::size_t>(block_count(nodes_per_element_));
+    const std::span<Index> nodes(&nodes_[at(slot) * count], count);
+    const std::span<double> stiffness(&stiffness_[at(slot) * entries], entries);
+    switch (model_) {
     case BendModel::Quadratic:
-        add_hinges(cloth, nodes_, stiffness_);
+        set_hinge(cloth, cloth.topology.edges[at(slot)], nodes, stiffness);
         break;
     case BendModel::MidEdge:
-        add_patches(cloth, nodes_, stiffness_);
+        set_patch(cloth, slot, nodes, stiffness);
         break;
     }
 }
@@ -102,6 +136,10 @@ void ConstantBending::forces(std::span<const Vec3> x, std::span<Vec3> element_fo
         const Index* nodes = &nodes_[e * count];
         // Relative to the first node: the rows of Q sum to zero, and far from the origin nothing
         // is lost.
+        if (nodes[0] == k_no_index) {
+            std::fill_n(&element_forces[e * count], count, Vec3::Zero());
+            return;
+        }
         const Vec3& origin = x[at(nodes[0])];
         std::array<Vec3, 6> relative;
         for (std::size_t a = 0; a < count; ++a) {
@@ -121,6 +159,9 @@ double ConstantBending::energy(std::span<const Vec3> x) const {
     const auto entries = static_cast<std::size_t>(block_count(n));
     return parallel_sum(size(), [&](std::size_t e) {
         const Index* nodes = &nodes_[e * count];
+        if (nodes[0] == k_no_index) {
+            return 0.0;
+        }
         const Vec3& origin = x[at(nodes[0])];
         double twice = 0.0;
         for_each_entry(

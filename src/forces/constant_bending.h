@@ -2,6 +2,7 @@
 
 #include "forces/element_terms.h"
 #include "state/cloth.h"
+#include "state/cloth_changes.h"
 
 #include <span>
 #include <vector>
@@ -13,11 +14,15 @@ namespace weft {
 /// may be assembled once.
 class ConstantBending {
 public:
-    /// BendModel::Quadratic: a four-node stencil (v0, v1, apex 0, apex 1) an inner edge.
+    /// BendModel::Quadratic: a four-node stencil (v0, v1, apex 0, apex 1) an edge; all k_no_index
+    /// on the boundary.
     /// BendModel::MidEdge: a six-node stencil a triangle (corners, then the apexes across the edges
     /// opposite to them; k_no_index where the edge has no neighbour). No elements when the fabric's
     /// bending rigidity is zero.
     explicit ConstantBending(const Cloth& cloth);
+
+    /// As forces/element_terms.h says of every set.
+    std::vector<Index> update(const Cloth& cloth, const ClothChanges& changes);
 
     int nodes_per_element() const { return nodes_per_element_; } ///< 4 or 6
     std::size_t size() const {
@@ -35,6 +40,11 @@ public:
     void forces(std::span<const Vec3> x, std::span<Vec3> element_forces) const;
 
 private:
+    void resize(const Cloth& cloth);
+    void set_element(const Cloth& cloth, Index slot);
+
+    BendModel model_;
+    bool is_stiff_;
     int nodes_per_element_;
     std::vector<Index> nodes_;
     std::vector<double> stiffness_;

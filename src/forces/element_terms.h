@@ -17,6 +17,9 @@
 ///     void forces(x, v, element_forces) const         k_nodes an element, N
 ///     void evaluate(x, v, scales, element_forces, element_blocks) const
 ///                                                     and block_count(k_nodes) blocks an element
+///     std::vector<Index> update(cloth, changes)       to the set that the cloth as it is now would
+///                                                     give; slots of elements that differ,
+///                                                     ascending, beyond the new size left out
 ///
 /// Force and blocks of a missing node are zero. All loops allocate nothing and give the same bits
 /// for any number of threads. Bending with a constant matrix is apart: forces/constant_bending.h.

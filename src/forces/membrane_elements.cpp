@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace weft {
@@ -24,6 +25,17 @@ MembraneElements::MembraneElements(const Cloth& cloth)
     for (const Triangle& t : cloth.triangles) {
         nodes_.insert(nodes_.end(), t.begin(), t.end());
     }
+}
+
+std::vector<Index> MembraneElements::update(const Cloth& cloth, const ClothChanges& changes) {
+    rest_.resize(cloth.triangles.size());
+    nodes_.resize(3 * cloth.triangles.size());
+    for (const Index slot : changes.triangles) {
+        const auto t = static_cast<std::size_t>(slot);
+        rest_[t] = cloth.rest[t];
+        std::copy(cloth.triangles[t].begin(), cloth.triangles[t].end(), &nodes_[3 * t]);
+    }
+    return changes.triangles;
 }
 
 double MembraneElements::energy(std::span<const Vec3> x) const {

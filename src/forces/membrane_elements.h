@@ -1,6 +1,7 @@
 #pragma once
 
 #include "forces/membrane_hessian.h"
+#include "state/cloth_changes.h"
 
 #include <span>
 #include <vector>
@@ -13,6 +14,8 @@ public:
     static constexpr int k_nodes = 3;
 
     explicit MembraneElements(const Cloth& cloth);
+
+    std::vector<Index> update(const Cloth& cloth, const ClothChanges& changes);
 
     std::size_t size() const { return rest_.size(); }
     std::span<const Index> nodes() const { return nodes_; }
