@@ -10,161 +10,162 @@ namespace weft {
 
 namespace {
 
-/// Calls f(element block number, vertex a, vertex b) for each block of each element, in order.
-template <typename F> void for_each_block(std::span<const ElementSet> sets, const F& f) {
-    std::size_t block = 0;
-    for (const ElementSet& set : sets) {
-        const auto n = static_cast<std::size_t>(set.nodes_per_element);
-        for (std::size_t e = 0; e < set.count(); ++e) {
-            const Index* const node = set.nodes.data() + e * n;
-            for (std::size_t a = 0; a < n; ++a) {
-                for (std::size_t b = a; b < n; ++b, ++block) {
-                    if (node[a] != k_no_index && node[b] != k_no_index) {
-                        f(block, node[a] + set.first_vertex, node[b] + set.first_vertex);
-                    }
-                }
-            }
-        }
-    }
-}
-
-/// Turns (target, source) pairs, given in the order of sources, into compressed lists by target.
-void compress(std::span<const std::pair<Index, std::uint32_t>> pairs,
-              std::size_t targets,
-              std::vector<std::size_t>& begin,
-              std::vector<std::uint32_t>& sources) {
-    begin.assign(targets + 1, 0);
-    for (const auto& [target, source] : pairs) {
-        ++begin[static_cast<std::size_t>(target) + 1];
-    }
-    for (std::size_t i = 0; i < targets; ++i) {
-        begin[i + 1] += begin[i];
-    }
-    std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-    sources.resize(pairs.size());
-    for (const auto& [target, source] : pairs) {
-        sources[next[static_cast<std::size_t>(target)]++] = source;
-    }
+std::size_t at(Index i) {
+    return static_cast<std::size_t>(i);
 }
 
 } // namespace
 
-Assembler::Assembler(std::size_t vertex_count,
-                     std::span<const ElementSet> sets,
-                     std::span<const ElementSet> constant_sets,
-                     std::span<const double> constant_blocks) {
-    std::vector<ElementSet> all(sets.begin(), sets.end());
-    all.insert(all.end(), constant_sets.begin(), constant_sets.end());
-    for (const ElementSet& set : sets) {
-        block_count_ += set.count() * set.blocks_per_element();
-    }
-    for (const ElementSet& set : all) {
-        force_count_ += set.nodes.size();
-    }
-    assert(block_count_ < std::numeric_limits<std::uint32_t>::max() / 2);
-    build_pattern(vertex_count, all);
-    build_block_sources(sets);
-    sum_constant_blocks(constant_sets, constant_blocks);
-    build_force_sources(vertex_count, all);
+Assembler::Assembler(std::span<const VertexRange> objects, std::span<const ElementSet> sets) {
+    rooms_.fit(objects, sets);
+    build(sets);
 }
 
-void Assembler::build_pattern(std::size_t vertex_count, std::span<const ElementSet> sets) {
-    std::vector<BlockEntry> entries;
-    for_each_block(sets, [&](std::size_t, Index a, Index b) { entries.push_back({a, b}); });
-    row_of_vertex_ = locality_order(make_pattern(vertex_count, entries));
-    for (BlockEntry& entry : entries) {
-        entry = {row_of_vertex_[static_cast<std::size_t>(entry.row)],
-                 row_of_vertex_[static_cast<std::size_t>(entry.column)]};
+void Assembler::build(std::span<const ElementSet> sets) {
+    assert(std::max(rooms_.block_count(), rooms_.constant_count()) <
+           std::numeric_limits<std::uint32_t>::max() / 2);
+    sources_.build(rooms_, sets);
+    order_rows();
+    sources_.number_pairs(rooms_, sets, site_of_row_, row_of_site_);
+    find_places();
+}
+
+void Assembler::update(std::span<const VertexRange> objects,
+                       std::span<const ElementSet> sets,
+                       std::span<const std::vector<Index>> changed) {
+    assert(changed.size() == sets.size());
+    if (!rooms_.fit(objects, sets)) {
+        build(sets);
+        return;
     }
-    pattern_ = make_pattern(vertex_count, entries);
-    vertex_of_row_.resize(vertex_count);
-    for (std::size_t v = 0; v < vertex_count; ++v) {
-        vertex_of_row_[static_cast<std::size_t>(row_of_vertex_[v])] = static_cast<Index>(v);
-    }
-    upper_of_place_.assign(pattern_.blocks.size(), k_no_index);
-    for (std::size_t r = 0; r < pattern_.rows(); ++r) {
-        for (Index k = pattern_.diagonal[r]; k < pattern_.row_begin[r + 1]; ++k) {
-            const Index c = pattern_.column[static_cast<std::size_t>(k)];
-            upper_of_place_[static_cast<std::size_t>(k)] = static_cast<Index>(uppers_.size());
-            uppers_.push_back({k, find_block(pattern_, c, static_cast<Index>(r))});
+    sources_.change(rooms_, sets, changed);
+    order_rows();
+    find_places();
+}
+
+void Assembler::list_vertices() {
+    site_of_vertex_.resize(rooms_.vertex_count());
+    vertex_of_site_.assign(rooms_.site_count(), k_no_index);
+    for (const ElementRooms::Object& object : rooms_.objects()) {
+        for (std::size_t i = 0; i < object.count; ++i) {
+            site_of_vertex_[object.first + i] = static_cast<Index>(object.begin + i);
+            vertex_of_site_[object.begin + i] = static_cast<Index>(object.first + i);
         }
     }
 }
 
-Index Assembler::upper_of(Index vertex_a, Index vertex_b, bool& transposed) const {
-    const Index row = row_of_vertex_[static_cast<std::size_t>(vertex_a)];
-    const Index col = row_of_vertex_[static_cast<std::size_t>(vertex_b)];
-    transposed = row > col;
-    const Index place = find_block(pattern_, std::min(row, col), std::max(row, col));
-    return upper_of_place_[static_cast<std::size_t>(place)];
-}
-
-void Assembler::build_block_sources(std::span<const ElementSet> sets) {
-    std::vector<std::pair<Index, std::uint32_t>> pairs;
-    for_each_block(sets, [&](std::size_t block, Index a, Index b) {
-        bool transposed = false;
-        const Index upper = upper_of(a, b, transposed);
-        pairs.emplace_back(upper, static_cast<std::uint32_t>(2 * block + (transposed ? 1 : 0)));
+/// Orders rows by the graph of the vertices alone: a function of the elements as they are.
+void Assembler::order_rows() {
+    list_vertices();
+    const std::size_t n = site_of_vertex_.size();
+    graph_begin_.assign(1, 0);
+    for (const Index site : site_of_vertex_) {
+        graph_begin_.push_back(graph_begin_.back() +
+                               static_cast<Index>(sources_.neighbours(at(site)).size()));
+    }
+    graph_column_.resize(at(graph_begin_.back()));
+    parallel_for(n, [&](std::size_t v) {
+        std::size_t k = at(graph_begin_[v]);
+        for (const auto& neighbour : sources_.neighbours(at(site_of_vertex_[v]))) {
+            graph_column_[k++] = vertex_of_site_[at(neighbour.site)];
+        }
     });
-    compress(pairs, uppers_.size(), source_begin_, sources_);
+    row_of_vertex_ = locality_order(graph_begin_, graph_column_);
+    vertex_of_row_.resize(n);
+    site_of_row_.resize(n);
+    row_of_site_.assign(rooms_.site_count(), k_no_index);
+    for (std::size_t v = 0; v < n; ++v) {
+        const Index site = site_of_vertex_[v];
+        const Index row = row_of_vertex_[v];
+        vertex_of_row_[at(row)] = static_cast<Index>(v);
+        site_of_row_[at(row)] = site;
+        row_of_site_[at(site)] = row;
+    }
 }
 
-void Assembler::sum_constant_blocks(std::span<const ElementSet> sets,
-                                    std::span<const double> blocks) {
-    constant_.assign(uppers_.size(), 0.0);
-    for_each_block(sets, [&](std::size_t block, Index a, Index b) {
-        bool transposed = false; // a scalar times the identity is its own transpose
-        constant_[static_cast<std::size_t>(upper_of(a, b, transposed))] += blocks[block];
-    });
-}
-
-void Assembler::build_force_sources(std::size_t vertex_count, std::span<const ElementSet> sets) {
-    std::vector<std::pair<Index, std::uint32_t>> pairs;
-    std::uint32_t source = 0;
-    for (const ElementSet& set : sets) {
-        for (const Index node : set.nodes) {
-            if (node != k_no_index) {
-                pairs.emplace_back(node + set.first_vertex, source);
+/// Writes the rows of the pattern, and where in them each pair stands.
+void Assembler::find_places() {
+    const std::size_t n = site_of_row_.size();
+    pattern_.row_begin.assign(1, 0);
+    for (const Index site : site_of_row_) {
+        pattern_.row_begin.push_back(pattern_.row_begin.back() +
+                                     static_cast<Index>(sources_.neighbours(at(site)).size()));
+    }
+    pattern_.column.resize(at(pattern_.row_begin.back()));
+    pattern_.diagonal.resize(n);
+    keys_.resize(pattern_.column.size());
+    places_.assign(sources_.pair_count(), {k_no_index, k_no_index});
+    parallel_for(n, [&](std::size_t row) {
+        const Index site = site_of_row_[row];
+        const auto neighbours = sources_.neighbours(at(site));
+        const std::size_t begin = at(pattern_.row_begin[row]);
+        std::uint64_t* const keys = &keys_[begin]; // column, then which neighbour
+        for (std::size_t k = 0; k < neighbours.size(); ++k) {
+            const Index column = row_of_site_[at(neighbours[k].site)];
+            keys[k] = (static_cast<std::uint64_t>(column) << 32U) | k;
+        }
+        std::sort(keys, keys + neighbours.size());
+        for (std::size_t k = 0; k < neighbours.size(); ++k) {
+            const auto place = static_cast<Index>(begin + k);
+            const auto& [other, pair] = neighbours[keys[k] & 0xffffffffU];
+            pattern_.column[begin + k] = static_cast<Index>(keys[k] >> 32U);
+            (site <= other ? places_[at(pair)].place : places_[at(pair)].mirror) = place;
+            if (site == other) {
+                places_[at(pair)].mirror = place;
+                pattern_.diagonal[row] = place;
             }
-            ++source;
         }
-    }
-    compress(pairs, vertex_count, force_begin_, force_sources_);
+    });
+}
+
+std::span<Mat3> Assembler::blocks_of(std::size_t set, std::span<Mat3> element_blocks) const {
+    const ElementRooms::Set& room = rooms_.sets()[set];
+    return room.is_constant
+               ? std::span<Mat3>()
+               : element_blocks.subspan(room.block_begin, room.count * room.blocks_per_element);
+}
+
+std::span<Vec3> Assembler::forces_of(std::size_t set, std::span<Vec3> element_forces) const {
+    const ElementRooms::Set& room = rooms_.sets()[set];
+    return element_forces.subspan(room.force_begin, room.count * room.nodes_per_element);
 }
 
 void Assembler::assemble(std::span<const Mat3> element_blocks,
                          double constant_scale,
                          std::span<const double> diagonal,
                          BlockMatrix& matrix) const {
-    assert(element_blocks.size() == block_count_);
-    matrix.blocks.resize(pattern_.blocks.size());
-    parallel_for(uppers_.size(), [&](std::size_t u) {
-        Mat3 sum = (constant_scale * constant_[u]) * Mat3::Identity();
-        for (std::size_t s = source_begin_[u]; s < source_begin_[u + 1]; ++s) {
-            const Mat3& block = element_blocks[sources_[s] / 2];
-            if (sources_[s] % 2 == 0) {
+    assert(element_blocks.size() == block_count());
+    matrix.blocks.resize(pattern_.column.size());
+    parallel_for(places_.size(), [&](std::size_t pair) {
+        const auto [place, mirror] = places_[pair];
+        if (place == k_no_index) {
+            return;
+        }
+        Mat3 sum = (constant_scale * sources_.constant(pair)) * Mat3::Identity();
+        for (const std::uint32_t source : sources_.blocks(pair)) {
+            const Mat3& block = element_blocks[source / 2];
+            if (source % 2 == 0) {
                 sum += block;
             } else {
                 sum += block.transpose();
             }
         }
-        const auto [place, mirror] = uppers_[u];
-        matrix.blocks[static_cast<std::size_t>(place)] = sum;
+        matrix.blocks[at(place)] = sum;
         if (mirror != place) {
-            matrix.blocks[static_cast<std::size_t>(mirror)] = sum.transpose();
+            matrix.blocks[at(mirror)] = sum.transpose();
         }
     });
     parallel_for(matrix.rows(), [&](std::size_t r) {
-        Mat3& block = matrix.blocks[static_cast<std::size_t>(matrix.diagonal[r])];
-        block.diagonal().array() += diagonal[static_cast<std::size_t>(vertex_of_row_[r])];
+        Mat3& block = matrix.blocks[at(matrix.diagonal[r])];
+        block.diagonal().array() += diagonal[at(vertex_of_row_[r])];
     });
 }
 
 void Assembler::gather_forces(std::span<const Vec3> element_forces, std::span<Vec3> forces) const {
     parallel_for(forces.size(), [&](std::size_t v) {
         Vec3 sum = Vec3::Zero();
-        for (std::size_t s = force_begin_[v]; s < force_begin_[v + 1]; ++s) {
-            sum += element_forces[force_sources_[s]];
+        for (const std::uint32_t source : sources_.forces(at(site_of_vertex_[v]))) {
+            sum += element_forces[source];
         }
         forces[v] = sum;
     });

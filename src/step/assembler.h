@@ -1,38 +1,38 @@
 #pragma once
 
 #include "step/block_matrix.h"
+#include "step/source_lists.h"
 
 namespace weft {
 
-/// One family of elements, as the assembler sees it: which vertices each joins.
-struct ElementSet {
-    int nodes_per_element;
-    std::span<const Index>
-        nodes;          ///< #elements * nodes_per_element, local; k_no_index: no such node
-    Index first_vertex; ///< added to each node
-
-    std::size_t count() const { return nodes.size() / static_cast<std::size_t>(nodes_per_element); }
-    std::size_t blocks_per_element() const {
-        return static_cast<std::size_t>(nodes_per_element * (nodes_per_element + 1) / 2);
-    }
-};
-
 /// Sums what elements wrote into vertices and matrix blocks, always in the order of the elements,
 /// so that the result is the same bits for any thread count. Blocks of an element are its upper
-/// triangle row by row; forces one a node. The arrays of all sets stand one after the other, those
-/// of the constant sets (whose blocks are scalars times the identity and never change) last.
+/// triangle row by row; forces one a node. In the arrays of all elements each set has its room.
+///
+/// When elements change, what they have to do with is changed and nothing else, but for the order
+/// of the rows and their columns, which are streamed anew. An assembler that has gone through any
+/// changes gives the same bits as one made of what the sets are now.
 class Assembler {
 public:
-    /// @param constant_blocks  scalars of the constant sets, N/m
-    Assembler(std::size_t vertex_count,
-              std::span<const ElementSet> sets,
-              std::span<const ElementSet> constant_sets,
-              std::span<const double> constant_blocks);
+    /// @param objects all vertices, one object after the other
+    /// @param sets    in the order in which they are summed; constant blocks come before others
+    Assembler(std::span<const VertexRange> objects, std::span<const ElementSet> sets);
 
-    std::size_t block_count() const { return block_count_; } ///< of the sets that are not constant
-    std::size_t force_count() const { return force_count_; }
+    /// Takes up what the same objects and sets have become.
+    /// @param changed for each set the slots whose nodes or constants are others, new ones included
+    void update(std::span<const VertexRange> objects,
+                std::span<const ElementSet> sets,
+                std::span<const std::vector<Index>> changed);
 
-    /// The pattern, rows ordered for locality; row_of_vertex maps to it.
+    /// Lengths of the arrays of all elements' blocks, those of constant sets left out, and forces.
+    std::size_t block_count() const { return rooms_.block_count(); }
+    std::size_t force_count() const { return rooms_.force_count(); }
+
+    /// The elements of a set in those arrays; a constant set has no blocks there.
+    std::span<Mat3> blocks_of(std::size_t set, std::span<Mat3> element_blocks) const;
+    std::span<Vec3> forces_of(std::size_t set, std::span<Vec3> element_forces) const;
+
+    /// The pattern without blocks, rows ordered for locality; row_of_vertex maps to it.
     const BlockMatrix& pattern() const { return pattern_; }
     std::span<const Index> row_of_vertex() const { return row_of_vertex_; }
 
@@ -47,28 +47,24 @@ public:
     void gather_forces(std::span<const Vec3> element_forces, std::span<Vec3> forces) const;
 
 private:
-    struct Upper {
-        Index place, mirror; ///< in matrix.blocks; equal on the diagonal
+    /// Of a pair in matrix.blocks; equal on the diagonal.
+    struct Place {
+        Index place, mirror; ///< of the block whose row is the lower site, and of its transpose
     };
 
-    void build_pattern(std::size_t vertex_count, std::span<const ElementSet> sets);
-    void build_block_sources(std::span<const ElementSet> sets);
-    void sum_constant_blocks(std::span<const ElementSet> sets, std::span<const double> blocks);
-    void build_force_sources(std::size_t vertex_count, std::span<const ElementSet> sets);
-    Index upper_of(Index vertex_a, Index vertex_b, bool& transposed) const;
+    void build(std::span<const ElementSet> sets);
+    void list_vertices();
+    void order_rows();
+    void find_places();
 
-    std::size_t block_count_ = 0;
-    std::size_t force_count_ = 0;
+    ElementRooms rooms_;
+    SourceLists sources_;
     BlockMatrix pattern_;
-    std::vector<Index> row_of_vertex_;
-    std::vector<Index> vertex_of_row_;
-    std::vector<Upper> uppers_;
-    std::vector<Index> upper_of_place_;     ///< of each block of the pattern; k_no_index below
-    std::vector<double> constant_;          ///< #uppers, sum of the constant blocks, N/m
-    std::vector<std::size_t> source_begin_; ///< #uppers + 1
-    std::vector<std::uint32_t> sources_;    ///< 2 * element block + (1: transposed)
-    std::vector<std::size_t> force_begin_;  ///< #vertices + 1
-    std::vector<std::uint32_t> force_sources_;
+    std::vector<Index> row_of_vertex_, vertex_of_row_, site_of_vertex_, site_of_row_;
+    std::vector<Index> vertex_of_site_, row_of_site_; ///< k_no_index: no vertex there
+    std::vector<Place> places_;                       ///< by pair; k_no_index: not used
+    std::vector<Index> graph_begin_, graph_column_;   ///< neighbours, by vertex
+    std::vector<std::uint64_t> keys_;                 ///< of the columns while they are sorted
 };
 
 } // namespace weft

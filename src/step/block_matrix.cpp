@@ -9,30 +9,57 @@ namespace weft {
 
 namespace {
 
-std::size_t degree(const BlockMatrix& pattern, Index row) {
-    const auto r = static_cast<std::size_t>(row);
-    return static_cast<std::size_t>(pattern.row_begin[r + 1] - pattern.row_begin[r]);
-}
+/// Sweeps over the parts of a pattern, breadth first.
+class Sweeps {
+public:
+    Sweeps(std::span<const Index> row_begin, std::span<const Index> column)
+        : row_begin_(row_begin), column_(column), swept_(row_begin.size() - 1, 0) {}
 
-/// Rows reachable from `start`, level by level, within a level by degree; `seen` is marked.
-std::vector<Index> breadth_first(const BlockMatrix& pattern, Index start, std::vector<char>& seen) {
-    std::vector<Index> order{start};
-    seen[static_cast<std::size_t>(start)] = 1;
-    for (std::size_t head = 0; head < order.size(); ++head) {
-        const auto row = static_cast<std::size_t>(order[head]);
-        const std::size_t first_new = order.size();
-        for (Index k = pattern.row_begin[row]; k < pattern.row_begin[row + 1]; ++k) {
-            const Index next = pattern.column[static_cast<std::size_t>(k)];
-            if (seen[static_cast<std::size_t>(next)] == 0) {
-                seen[static_cast<std::size_t>(next)] = 1;
-                order.push_back(next);
+    /// How often a row has been swept.
+    int times(std::size_t row) const { return swept_[row]; }
+
+    /// Writes the rows that can be reached from `start` and have been swept as often as it, level
+    /// by level, within a level by degree. Returns how many.
+    std::size_t sweep(Index start, Index* order) {
+        const char before = swept_[static_cast<std::size_t>(start)]++;
+        order[0] = start;
+        std::size_t count = 1;
+        for (std::size_t head = 0; head < count; ++head) {
+            const auto row = static_cast<std::size_t>(order[head]);
+            const std::size_t first_new = count;
+            for (Index k = row_begin_[row]; k < row_begin_[row + 1]; ++k) {
+                const Index next = column_[static_cast<std::size_t>(k)];
+                if (swept_[static_cast<std::size_t>(next)] == before) {
+                    ++swept_[static_cast<std::size_t>(next)];
+                    order[count++] = next;
+                }
             }
+            sort_by_degree(order + first_new, order + count);
         }
-        std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(first_new), order.end(),
-                         [&](Index a, Index b) { return degree(pattern, a) < degree(pattern, b); });
+        return count;
     }
-    return order;
-}
+
+private:
+    Index degree(Index row) const {
+        const auto r = static_cast<std::size_t>(row);
+        return row_begin_[r + 1] - row_begin_[r];
+    }
+
+    /// Keeps the order of rows alike. By insertion: they are a few.
+    void sort_by_degree(Index* begin, Index* end) const {
+        for (Index* i = begin; i < end; ++i) {
+            const Index row = *i;
+            Index* gap = i;
+            for (; gap > begin && degree(gap[-1]) > degree(row); --gap) {
+                *gap = gap[-1];
+            }
+            *gap = row;
+        }
+    }
+
+    std::span<const Index> row_begin_, column_;
+    std::vector<char> swept_;
+};
 
 } // namespace
 
@@ -90,18 +117,21 @@ void multiply(const BlockMatrix& matrix, std::span<const Vec3> x, std::span<Vec3
     });
 }
 
-std::vector<Index> locality_order(const BlockMatrix& pattern) {
-    const std::size_t rows = pattern.rows();
-    std::vector<Index> old_of_new;
-    std::vector<char> seen(rows, 0);
+std::vector<Index> locality_order(std::span<const Index> row_begin, std::span<const Index> column) {
+    const std::size_t rows = row_begin.size() - 1;
+    Sweeps sweeps(row_begin, column);
+    std::vector<Index> old_of_new(rows);
+    std::size_t done = 0;
     for (std::size_t r = 0; r < rows; ++r) {
-        if (seen[r] != 0) {
+        if (sweeps.times(r) != 0) {
             continue;
         }
-        std::vector<char> scratch = seen; // a first sweep only finds a row at the far end
-        const Index far = breadth_first(pattern, static_cast<Index>(r), scratch).back();
-        const std::vector<Index> part = breadth_first(pattern, far, seen);
-        old_of_new.insert(old_of_new.end(), part.rbegin(), part.rend());
+        Index* const part = old_of_new.data() + done;
+        // a first sweep only finds a row at the far end
+        const std::size_t count = sweeps.sweep(static_cast<Index>(r), part);
+        sweeps.sweep(part[count - 1], part);
+        std::reverse(part, part + count);
+        done += count;
     }
     std::vector<Index> new_of_old(rows);
     for (std::size_t i = 0; i < rows; ++i) {

@@ -37,6 +37,7 @@ void multiply(const BlockMatrix& matrix, std::span<const Vec3> x, std::span<Vec3
 
 /// Order of the rows in which neighbours stand close together: breadth first from a far row,
 /// reversed (Cuthill and McKee 1969). Returns new_of_old.
-std::vector<Index> locality_order(const BlockMatrix& pattern);
+/// @param row_begin, column  of the pattern, as in BlockMatrix
+std::vector<Index> locality_order(std::span<const Index> row_begin, std::span<const Index> column);
 
 } // namespace weft

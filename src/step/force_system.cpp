@@ -4,14 +4,33 @@
 #include "forces/bend_damping.h"
 #include "forces/membrane_elements.h"
 
+#include <cassert>
+#include <numeric>
+
 namespace weft {
+
+namespace {
+
+std::vector<VertexRange> vertex_ranges(const World& world) {
+    std::vector<VertexRange> ranges;
+    for (const Cloth& cloth : world.cloths) {
+        ranges.push_back({cloth.first_vertex, cloth.vertex_count});
+    }
+    return ranges;
+}
+
+} // namespace
 
 /// One kind of element on one cloth or on all, seen alike by the loops below.
 class ForceSystem::Group {
 public:
     virtual ~Group() = default;
     virtual ElementSet set() const = 0;
-    virtual void start_substep(std::span<const Vec3> v) = 0;
+
+    /// Returns the slots that changed.
+    virtual std::vector<Index> adapt(const World& world, std::span<const ClothChanges> changes) = 0;
+
+    virtual void start_substep(std::span<const Vec3>) {}
     virtual void evaluate(std::span<const Vec3> x,
                           std::span<const Vec3> v,
                           SystemScales scales,
@@ -21,16 +40,19 @@ public:
     forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> forces) const = 0;
 };
 
-template <typename Elements> class ForceSystem::GroupOf : public Group {
+template <typename Elements> class ForceSystem::ClothGroup : public Group {
 public:
-    GroupOf(Index first_vertex, std::size_t vertex_count, Elements elements)
-        : elements_(std::move(elements)), first_(static_cast<std::size_t>(first_vertex)),
-          count_(vertex_count) {}
-
-    Elements& elements() { return elements_; }
+    ClothGroup(const World& world, std::size_t cloth, Elements elements)
+        : cloth_(cloth), elements_(std::move(elements)) {
+        find_vertices(world.cloths[cloth]);
+    }
 
     ElementSet set() const override {
         return {Elements::k_nodes, elements_.nodes(), static_cast<Index>(first_)};
+    }
+    std::vector<Index> adapt(const World& world, std::span<const ClothChanges> changes) override {
+        find_vertices(world.cloths[cloth_]);
+        return elements_.update(world.cloths[cloth_], changes[cloth_]);
     }
     void start_substep(std::span<const Vec3> v) override {
         if constexpr (requires { elements_.linearise_at(v); }) {
@@ -52,54 +74,120 @@ public:
     }
 
 private:
+    void find_vertices(const Cloth& cloth) {
+        first_ = static_cast<std::size_t>(cloth.first_vertex);
+        count_ = static_cast<std::size_t>(cloth.vertex_count);
+    }
+
+    std::size_t cloth_;
     Elements elements_;
-    std::size_t first_, count_;
+    std::size_t first_ = 0, count_ = 0;
 };
 
-template <typename Elements> void ForceSystem::add_group(const Cloth& cloth, Elements elements) {
-    if (elements.size() > 0) {
-        groups_.push_back(std::make_unique<GroupOf<Elements>>(
-            cloth.first_vertex, static_cast<std::size_t>(cloth.vertex_count), std::move(elements)));
-    }
-}
+/// Blocks never change: the assembler has them.
+class ForceSystem::BendingGroup : public Group {
+public:
+    BendingGroup(const World& world, std::size_t cloth)
+        : cloth_(cloth), elements_(world.cloths[cloth]), first_(world.cloths[cloth].first_vertex) {}
 
-void ForceSystem::add_attachments(const World& world) {
-    if (!world.attached_pairs.empty()) {
-        auto group = std::make_unique<GroupOf<AttachmentElements>>(0, world.vertex_count(),
-                                                                   AttachmentElements(world));
-        attachments_ = &group->elements();
-        groups_.push_back(std::move(group));
+    ElementSet set() const override {
+        return {elements_.nodes_per_element(), elements_.nodes(), first_, true,
+                elements_.stiffness()};
     }
-}
+    std::vector<Index> adapt(const World& world, std::span<const ClothChanges> changes) override {
+        first_ = world.cloths[cloth_].first_vertex;
+        return elements_.update(world.cloths[cloth_], changes[cloth_]);
+    }
+    void evaluate(std::span<const Vec3> x,
+                  std::span<const Vec3> v,
+                  SystemScales,
+                  std::span<Vec3> forces,
+                  std::span<Mat3>) const override {
+        this->forces(x, v, forces);
+    }
+    void
+    forces(std::span<const Vec3> x, std::span<const Vec3>, std::span<Vec3> forces) const override {
+        elements_.forces(x.subspan(static_cast<std::size_t>(first_)), forces);
+    }
+
+private:
+    std::size_t cloth_;
+    ConstantBending elements_;
+    Index first_;
+};
+
+/// They join vertices of several cloths, so their elements have the world's own indices.
+class ForceSystem::AttachmentGroup : public Group {
+public:
+    explicit AttachmentGroup(const World& world) : elements_(world) {}
+
+    void set_threads(const World& world, double end_time) { elements_.set(world, end_time); }
+
+    ElementSet set() const override { return {AttachmentElements::k_nodes, elements_.nodes(), 0}; }
+    std::vector<Index> adapt(const World& world, std::span<const ClothChanges>) override {
+        elements_ = AttachmentElements(world);
+        std::vector<Index> slots(elements_.size());
+        std::iota(slots.begin(), slots.end(), 0);
+        return slots;
+    }
+    void evaluate(std::span<const Vec3> x,
+                  std::span<const Vec3> v,
+                  SystemScales scales,
+                  std::span<Vec3> forces,
+                  std::span<Mat3> blocks) const override {
+        elements_.evaluate(x, v, scales, forces, blocks);
+    }
+    void forces(std::span<const Vec3> x,
+                std::span<const Vec3> v,
+                std::span<Vec3> forces) const override {
+        elements_.forces(x, v, forces);
+    }
+
+private:
+    AttachmentElements elements_;
+};
 
 ForceSystem::ForceSystem(const World& world, const SceneParams& params) {
-    for (const Cloth& cloth : world.cloths) {
-        add_group(cloth, MembraneElements(cloth));
-        add_group(cloth, BendDampingElements(cloth));
-        add_group(cloth, AirElements(cloth, params));
-        bendings_.push_back({ConstantBending(cloth), cloth.first_vertex, cloth.vertex_count});
+    const auto add = [&](std::size_t cloth, auto elements) {
+        groups_.push_back(
+            std::make_unique<ClothGroup<decltype(elements)>>(world, cloth, std::move(elements)));
+    };
+    for (std::size_t c = 0; c < world.cloths.size(); ++c) {
+        add(c, MembraneElements(world.cloths[c]));
+        add(c, BendDampingElements(world.cloths[c]));
+        add(c, AirElements(world.cloths[c], params));
     }
-    add_attachments(world);
-    std::vector<ElementSet> sets;
-    for (const auto& group : groups_) {
-        sets.push_back(group->set());
+    auto attachments = std::make_unique<AttachmentGroup>(world);
+    attachments_ = attachments.get();
+    groups_.push_back(std::move(attachments));
+    for (std::size_t c = 0; c < world.cloths.size(); ++c) {
+        groups_.push_back(std::make_unique<BendingGroup>(world, c));
     }
-    std::vector<ElementSet> constant_sets;
-    std::vector<double> constant_blocks;
-    for (const Bending& bending : bendings_) {
-        const ConstantBending& elements = bending.elements;
-        constant_sets.push_back(
-            {elements.nodes_per_element(), elements.nodes(), bending.first_vertex});
-        constant_blocks.insert(constant_blocks.end(), elements.stiffness().begin(),
-                               elements.stiffness().end());
-    }
-    assembler_ =
-        std::make_unique<Assembler>(world.vertex_count(), sets, constant_sets, constant_blocks);
+    assembler_ = std::make_unique<Assembler>(vertex_ranges(world), sets());
     element_forces_.resize(assembler_->force_count());
     element_blocks_.resize(assembler_->block_count());
 }
 
 ForceSystem::~ForceSystem() = default;
+
+std::vector<ElementSet> ForceSystem::sets() const {
+    std::vector<ElementSet> sets;
+    for (const auto& group : groups_) {
+        sets.push_back(group->set());
+    }
+    return sets;
+}
+
+void ForceSystem::adapt(const World& world, std::span<const ClothChanges> changes) {
+    assert(changes.size() == world.cloths.size());
+    std::vector<std::vector<Index>> changed;
+    for (const auto& group : groups_) {
+        changed.push_back(group->adapt(world, changes));
+    }
+    assembler_->update(vertex_ranges(world), sets(), changed);
+    element_forces_.resize(assembler_->force_count());
+    element_blocks_.resize(assembler_->block_count());
+}
 
 void ForceSystem::start_substep(std::span<const Vec3> v) {
     for (const auto& group : groups_) {
@@ -108,9 +196,7 @@ void ForceSystem::start_substep(std::span<const Vec3> v) {
 }
 
 void ForceSystem::set_attachments(const World& world, double end_time) {
-    if (attachments_ != nullptr) {
-        attachments_->set(world, end_time);
-    }
+    attachments_->set_threads(world, end_time);
 }
 
 void ForceSystem::evaluate(std::span<const Vec3> x,
@@ -118,46 +204,20 @@ void ForceSystem::evaluate(std::span<const Vec3> x,
                            SystemScales scales,
                            std::span<Vec3> forces) {
     scales_ = scales;
-    std::size_t at_force = 0;
-    std::size_t at_block = 0;
-    for (const auto& group : groups_) {
-        const ElementSet set = group->set();
-        const std::size_t block_count = set.count() * set.blocks_per_element();
-        group->evaluate(x, v, scales,
-                        std::span(element_forces_).subspan(at_force, set.nodes.size()),
-                        std::span(element_blocks_).subspan(at_block, block_count));
-        at_force += set.nodes.size();
-        at_block += block_count;
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        groups_[g]->evaluate(x, v, scales, assembler_->forces_of(g, element_forces_),
+                             assembler_->blocks_of(g, element_blocks_));
     }
-    bending_forces(x);
     assembler_->gather_forces(element_forces_, forces);
 }
 
 void ForceSystem::forces_only(std::span<const Vec3> x,
                               std::span<const Vec3> v,
                               std::span<Vec3> forces) {
-    std::size_t at_force = 0;
-    for (const auto& group : groups_) {
-        const std::size_t count = group->set().nodes.size();
-        group->forces(x, v, std::span(element_forces_).subspan(at_force, count));
-        at_force += count;
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        groups_[g]->forces(x, v, assembler_->forces_of(g, element_forces_));
     }
-    bending_forces(x);
     assembler_->gather_forces(element_forces_, forces);
-}
-
-void ForceSystem::bending_forces(std::span<const Vec3> x) {
-    std::size_t at_force = element_forces_.size();
-    for (const Bending& bending : bendings_) {
-        at_force -= bending.elements.nodes().size();
-    }
-    for (const Bending& bending : bendings_) {
-        const std::size_t count = bending.elements.nodes().size();
-        bending.elements.forces(x.subspan(static_cast<std::size_t>(bending.first_vertex),
-                                          static_cast<std::size_t>(bending.vertex_count)),
-                                std::span(element_forces_).subspan(at_force, count));
-        at_force += count;
-    }
 }
 
 void ForceSystem::assemble(std::span<const double> diagonal, BlockMatrix& matrix) const {

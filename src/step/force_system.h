@@ -3,6 +3,7 @@
 #include "forces/attachment_elements.h"
 #include "forces/constant_bending.h"
 #include "forces/element_terms.h"
+#include "state/cloth_changes.h"
 #include "state/world.h"
 #include "step/assembler.h"
 
@@ -16,6 +17,11 @@ class ForceSystem {
 public:
     ForceSystem(const World& world, const SceneParams& params);
     ~ForceSystem();
+
+    /// Takes up what the cloths have become. All is then as if made of the world as it is now, but
+    /// only what changed has been made anew.
+    /// @param changes of each cloth, since the last call or the construction
+    void adapt(const World& world, std::span<const ClothChanges> changes);
 
     const Assembler& assembler() const { return *assembler_; }
 
@@ -39,20 +45,14 @@ public:
 
 private:
     class Group;
-    template <typename Elements> class GroupOf;
-    struct Bending {
-        ConstantBending elements;
-        Index first_vertex;
-        Index vertex_count;
-    };
+    template <typename Elements> class ClothGroup;
+    class BendingGroup;
+    class AttachmentGroup;
 
-    template <typename Elements> void add_group(const Cloth& cloth, Elements elements);
-    void add_attachments(const World& world);
-    void bending_forces(std::span<const Vec3> x);
+    std::vector<ElementSet> sets() const;
 
-    std::vector<std::unique_ptr<Group>> groups_; ///< in the order of their element arrays
-    AttachmentElements* attachments_ = nullptr;  ///< within a group; nullptr: none
-    std::vector<Bending> bendings_;              ///< after them; blocks constant
+    std::vector<std::unique_ptr<Group>> groups_; ///< in the order in which they are summed
+    AttachmentGroup* attachments_;               ///< one of them
     std::unique_ptr<Assembler> assembler_;
     SystemScales scales_;
     std::vector<Vec3> element_forces_;

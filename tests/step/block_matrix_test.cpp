@@ -91,8 +91,8 @@ TEST(BlockMatrix, LocalityOrderIsAPermutationThatKeepsNeighboursClose) {
         }
     }
 
-    const std::vector<Index> order =
-        locality_order(make_pattern(static_cast<std::size_t>(n * n), entries));
+    const BlockMatrix pattern = make_pattern(static_cast<std::size_t>(n * n), entries);
+    const std::vector<Index> order = locality_order(pattern.row_begin, pattern.column);
 
     std::vector<Index> sorted = order;
     std::sort(sorted.begin(), sorted.end());
