@@ -15,6 +15,9 @@ public:
     ///                   matrix is no worse conditioned
     explicit ContactForces(std::vector<double> stiffness) : stiffness_(std::move(stiffness)) {}
 
+    /// Other vertices, between substeps.
+    void set_stiffness(std::vector<double> stiffness) { stiffness_ = std::move(stiffness); }
+
     /// Begins a substep, before any contact is added.
     /// @param start #V, positions at the start, m; must stay until the substep's end
     /// @param dt    s

@@ -47,6 +47,12 @@ double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
 
 } // namespace
 
+void ContactNewton::reset() {
+    coupled_.reset();
+    preconditioner_.reset();
+    revision_ = -1;
+}
+
 /// imbalance_ = residual + beta f_contact; returns its norm.
 double ContactNewton::find_imbalance(const LinearStep& step, const ContactForces& contact) {
     imbalance_.assign(step.residual.begin(), step.residual.end());

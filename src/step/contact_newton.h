@@ -38,6 +38,9 @@ struct BalanceReport {
 /// Rounds are solved only as well as it takes (inexact Newton).
 class ContactNewton {
 public:
+    /// Forgets the pattern of the matrices, which must else always be the same.
+    void reset();
+
     /// From where the step stands to the balance. Deterministic.
     BalanceReport solve(const LinearStep& step, ContactForces& contact);
 

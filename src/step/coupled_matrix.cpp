@@ -16,11 +16,12 @@ bool CoupledMatrix::couple(const BlockMatrix& base, std::span<const BlockEntry> 
     }
     std::sort(wanted_.begin(), wanted_.end());
     wanted_.erase(std::unique(wanted_.begin(), wanted_.end()), wanted_.end());
-    if (wanted_ == extra_ && matrix_.rows() == base.rows()) {
+    if (is_built_ && wanted_ == extra_) {
         return false;
     }
     extra_.swap(wanted_);
     build(base);
+    is_built_ = true;
     return true;
 }
 

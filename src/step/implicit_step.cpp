@@ -51,16 +51,32 @@ std::vector<double> mass_damping(const World& world) {
 } // namespace
 
 ImplicitStep::ImplicitStep(const World& world, const SceneParams& params)
-    : params_(params), masses_(world.masses), mass_damping_(mass_damping(world)),
-      forces_(world, params), contact_forces_(contact_stiffness(world)),
-      matrix_(forces_.assembler().pattern()) {
+    : params_(params), forces_(world, params), contact_forces_({}) {
+    resize(world);
+}
+
+void ImplicitStep::adapt(const World& world, std::span<const ClothChanges> changes) {
+    forces_.adapt(world, changes);
+    resize(world);
+    newton_.reset();
+}
+
+/// What there is of each vertex and row. Values that a solve leaves are not used by the next.
+void ImplicitStep::resize(const World& world) {
+    masses_ = world.masses;
+    mass_damping_ = mass_damping(world);
+    contact_forces_.set_stiffness(contact_stiffness(world));
+    const BlockMatrix& pattern = forces_.assembler().pattern();
+    matrix_.row_begin = pattern.row_begin;
+    matrix_.column = pattern.column;
+    matrix_.diagonal = pattern.diagonal;
     const std::size_t n = world.vertex_count();
     for (auto* values :
          {&x_base_, &v_base_, &guess_, &x_, &v_, &force_, &residual_, &change_, &linear_v_,
           &trial_x_, &trial_v_, &row_residual_, &row_change_, &row_product_}) {
-        values->assign(n, Vec3::Zero());
+        values->resize(n, Vec3::Zero());
     }
-    diagonal_.assign(n, 0.0);
+    diagonal_.resize(n, 0.0);
 }
 
 ImplicitReport ImplicitStep::solve(const World& world,

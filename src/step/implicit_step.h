@@ -39,6 +39,11 @@ class ImplicitStep {
 public:
     ImplicitStep(const World& world, const SceneParams& params);
 
+    /// Takes up what the cloths have become, with the vertices' masses. Everything is then as if
+    /// made of the world as it is now.
+    /// @param changes of each cloth, since the last call or the construction
+    void adapt(const World& world, std::span<const ClothChanges> changes);
+
     /// Position and velocity at the end of a substep of length dt (s) with the given contacts; the
     /// world is not changed. Contacts receive what they carried.
     ImplicitReport solve(const World& world,
@@ -58,6 +63,7 @@ public:
                      ImplicitReport& report);
 
 private:
+    void resize(const World& world);
     void start(const World& world, double dt);
     void finish(const World& world,
                 const HeldVertices& held,

@@ -2,6 +2,7 @@
 #include "forces/membrane_elements.h"
 #include "step/held.h"
 #include "step/implicit_step.h"
+#include "support/changing_world.h"
 #include "support/contact_world.h"
 #include "support/worlds.h"
 
@@ -145,6 +146,35 @@ TEST(ImplicitStep, GivesTheSameBitsForAnyThreadCount) {
 
     EXPECT_EQ(hashes[0], hashes[1]);
     EXPECT_EQ(hashes[0], hashes[2]);
+}
+
+TEST(ImplicitStep, AfterChangesOfTheMeshStepsAsOneMadeAfresh) {
+    test::ChangingWorld changing(2, 4);
+    World& world = changing.world();
+    const SceneParams params;
+    ImplicitStep adapted(world, params);
+    for (int round = 0; round < 6; ++round) {
+        const auto solve = [&](ImplicitStep& step) {
+            HeldVertices held;
+            find_held(world, world.time + 0.01, held);
+            Contact contact{.vertices = {0, 1, 2, world.cloths[1].first_vertex},
+                            .weights = {-0.2, -0.3, -0.5, 1.0},
+                            .normal = Vec3::UnitY(),
+                            .thickness = 0.2};
+            std::vector<Vec3> positions, velocities;
+            std::span<Contact> contacts(&contact, static_cast<std::size_t>(round % 2));
+            EXPECT_TRUE(step.solve(world, held, 0.01, positions, velocities, contacts).converged);
+            positions.insert(positions.end(), velocities.begin(), velocities.end());
+            return positions;
+        };
+        solve(adapted);
+        const std::array<int, 2> edits{6, 6};
+
+        adapted.adapt(world, changing.change(edits, round < 3 ? 0.9 : 0.2));
+
+        ImplicitStep fresh(world, params);
+        ASSERT_TRUE(solve(adapted) == solve(fresh));
+    }
 }
 
 } // namespace weft
