@@ -42,6 +42,11 @@ void add_obstacle_mesh(const Scene& scene, const ObstacleParams& obstacle, Inspe
 }
 
 std::string describe_obstacle(const ObstacleParams& obstacle) {
+    if (obstacle.shape == Shape::Mesh && obstacle.motion.empty()) {
+        SummaryLines sheet; // whether its shape is animated is told below, from the file
+        sheet.row("obstacle", "{}: mesh, no pose keys", obstacle.name);
+        return sheet.text;
+    }
     constexpr std::array<const char*, 4> names{"mesh", "sphere", "box", "plane"};
     SummaryLines sheet;
     sheet.row("obstacle", "{}: {}, {}", obstacle.name,

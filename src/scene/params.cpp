@@ -134,6 +134,17 @@ std::string problem(const PinParams& params) {
     return finding.text();
 }
 
+std::string problem(const AdaptParams& params) {
+    Finding finding;
+    finding.require(params.levels >= 0 && params.levels <= 8, "levels", params.levels, "0 to 8");
+    finding.not_negative("curvature", params.curvature, "");
+    finding.require(params.compression >= 0.0 && params.compression < 1.0, "compression",
+                    params.compression, "0 to below 1");
+    finding.not_negative("velocity", params.velocity, "m/s");
+    finding.require(params.max_triangles >= 1, "max_triangles", params.max_triangles, ">= 1");
+    return finding.text();
+}
+
 std::string problem(const ClothParams& params) {
     Finding finding;
     for (Eigen::Index i = 0; i < 2; ++i) {

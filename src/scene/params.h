@@ -105,6 +105,21 @@ struct PinParams {
 
 enum class RestShape { Mesh, Uv };
 
+/// `[cloth.adapt]`: where the mesh is refined while it moves; without the table it stays as it is.
+/// A criterion that is 0 or false is not asked.
+struct AdaptParams {
+    int levels = 0;            ///< sqrt(3) levels finer than the import; 0: none
+    double curvature = 0.15;   ///< mean curvature times triangle size, >= 0
+    bool contact = true;       ///< as if curved like the obstacle that comes near
+    double compression = 0.02; ///< of a triangle in its plane, of the whole, [0, 1)
+    double velocity = 0.0;     ///< change of velocity across a triangle, m/s, >= 0
+    int max_triangles = 100000;
+    bool operator==(const AdaptParams&) const = default;
+};
+
+/// Levels that `[cloth.adapt]` has when it does not say.
+inline constexpr int k_default_levels = 4;
+
 /// `[[cloth]]`.
 struct ClothParams {
     std::string name;
@@ -120,6 +135,7 @@ struct ClothParams {
     double grain_deg = 0.0; ///< turns weft and warp in the rest shape, counter-clockwise
     double pressure = 0.0;  ///< inside closed cloth, Pa
     int layer = 0;          ///< higher is outside
+    AdaptParams adapt;
     std::vector<PinParams> pins;
     bool operator==(const ClothParams&) const = default;
 };
@@ -231,6 +247,7 @@ std::string problem(const MeshSource& params);
 std::string problem(const FrictionPair& params);
 std::string problem(const FabricParams& params);
 std::string problem(const PinParams& params);
+std::string problem(const AdaptParams& params);
 std::string problem(const ClothParams& params);
 std::string problem(const AnimationParams& params);
 std::string problem(const ObstacleParams& params);

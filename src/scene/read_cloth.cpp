@@ -13,23 +13,20 @@ void read_grid(TomlTable& cloth, ClothParams& params) {
     grid.finish();
 }
 
-/// `[cloth.adapt]`: the keys are known, but only "off" has a meaning yet, and it must be said,
-/// since the format's default is on.
-void read_adapt(TomlTable& cloth) {
+void read_adapt(TomlTable& cloth, AdaptParams& params) {
     if (!cloth.has("adapt")) {
         return;
     }
     TomlTable adapt = cloth.table("adapt");
-    int levels = 4;
-    double curvature = 0.0;
-    int max_triangles = 0;
-    adapt.read("levels", levels);
-    adapt.read("curvature", curvature);
-    adapt.read("max_triangles", max_triangles);
+    params.levels = k_default_levels;
+    adapt.read("levels", params.levels);
+    adapt.read("curvature", params.curvature);
+    adapt.read("contact", params.contact);
+    adapt.read("compression", params.compression);
+    adapt.read("velocity", params.velocity);
+    adapt.read("max_triangles", params.max_triangles);
     adapt.finish();
-    if (levels != 0) {
-        adapt.fail("levels", "not there yet; must be 0 (off)");
-    }
+    adapt.refuse(problem(params));
 }
 
 void read_model(TomlTable& cloth) {
@@ -41,7 +38,7 @@ void read_model(TomlTable& cloth) {
 void read_mechanics(TomlTable& table, ClothParams& params) {
     read_model(table);
     table.refuse_later("spring");
-    read_adapt(table);
+    read_adapt(table, params.adapt);
     table.read_choice("bending", params.bend_model,
                       {{"quadratic", BendModel::Quadratic}, {"mid_edge", BendModel::MidEdge}});
     table.read_choice("rest", params.rest, {{"mesh", RestShape::Mesh}, {"uv", RestShape::Uv}});

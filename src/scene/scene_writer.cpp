@@ -84,6 +84,16 @@ void write_fabric(TomlWriter& out, const FabricParams& fabric) {
     out.line("range", fabric.working_range, "working range of stretch");
 }
 
+void write_adapt(TomlWriter& out, const AdaptParams& adapt) {
+    out.header("[cloth.adapt]");
+    out.line("levels", adapt.levels, "0: the mesh stays as it is");
+    out.line("curvature", adapt.curvature);
+    out.line("contact", adapt.contact);
+    out.line("compression", adapt.compression);
+    out.line("velocity", adapt.velocity, "m/s");
+    out.line("max_triangles", adapt.max_triangles);
+}
+
 void write_pin(TomlWriter& out, const PinParams& pin) {
     out.header("[[cloth.pin]]");
     if (!pin.vertices.empty()) {
@@ -136,8 +146,8 @@ void write_cloth(TomlWriter& out,
     out.line("grain_deg", cloth.grain_deg);
     out.line("pressure", cloth.pressure, "Pa");
     out.line("layer", cloth.layer);
-    out.write("adapt", "{ levels = 0 }");
     write_fabric(out, cloth.fabric);
+    write_adapt(out, cloth.adapt);
     for (const PinParams& pin : cloth.pins) {
         write_pin(out, pin);
     }

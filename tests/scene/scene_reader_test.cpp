@@ -105,8 +105,12 @@ TEST(SceneReader, LetsStaticFrictionFollowUnlessBothAreGiven) {
               0.7);
 }
 
-TEST(SceneReader, AcceptsRefinementThatIsSwitchedOff) {
-    EXPECT_NO_THROW(read("[[cloth]]\nname = \"a\"\ngrid = {}\n[cloth.adapt]\nlevels = 0\n"));
+TEST(SceneReader, RefinesWhereTheTableIsThere) {
+    const std::string sheet = "[[cloth]]\nname = \"a\"\ngrid = {}\n";
+
+    EXPECT_EQ(read(sheet).cloths[0].adapt.levels, 0);
+    EXPECT_EQ(read(sheet + "[cloth.adapt]\n").cloths[0].adapt.levels, k_default_levels);
+    EXPECT_EQ(read(sheet + "[cloth.adapt]\nlevels = 0\n").cloths[0].adapt.levels, 0);
 }
 
 } // namespace
