@@ -103,7 +103,7 @@ TEST(Inspect, ASceneListsItsObjectsAndTheirMeshes) {
 
     EXPECT_FALSE(report.is_refused) << report.text;
     EXPECT_TRUE(has(report.text, "cloth         flag")) << report.text;
-    EXPECT_TRUE(has(report.text, "obstacle      fin: mesh, at rest")) << report.text;
+    EXPECT_TRUE(has(report.text, "obstacle      fin: mesh, no pose keys")) << report.text;
     EXPECT_TRUE(describe_scene(bad).is_refused); // cloth does not take the third triangle
 }
 
