@@ -59,6 +59,7 @@ BroadPhase::BroadPhase(const ContactSurface& surface, bool self) : self_(self) {
     triangle_boxes_.resize(surface.triangles.size());
     obstacles_.resize(surface.objects.size());
     fitted_motions_.resize(surface.objects.size());
+    is_fitted_.assign(surface.objects.size(), 0);
 }
 
 void BroadPhase::find(const ContactSurface& surface,
@@ -81,12 +82,13 @@ void BroadPhase::find(const ContactSurface& surface,
             const std::size_t vertex = at(object.first_vertex);
             const std::size_t triangle = at(object.first_triangle);
             const FittedMotion motion{object.start, object.end, object.motion_number};
-            if (obstacles_[o].empty() || motion != fitted_motions_[o]) {
+            if (is_fitted_[o] == 0 || motion != fitted_motions_[o]) {
                 fit(surface,
                     {vertex, vertex + at(object.vertex_count), triangle,
                      triangle + at(object.triangle_count)},
                     Vec3::Zero(), dt, obstacles_[o]);
                 fitted_motions_[o] = motion;
+                is_fitted_[o] = 1;
             }
             gather(surface, deformables_, obstacles_[o], object.first_triangle, candidates);
         }
@@ -112,6 +114,20 @@ void BroadPhase::gather(const ContactSurface& surface,
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
         candidates.insert(candidates.end(), found_[i].begin(), found_[i].end());
     }
+}
+
+void BroadPhase::remesh(const ContactSurface& surface, std::span<const Vec3> start) {
+    vertex_boxes_.resize(surface.start.size());
+    triangle_boxes_.resize(surface.triangles.size());
+    fitted_motions_.assign(surface.objects.size(), {}); // their boxes stand elsewhere now
+    std::fill(is_fitted_.begin(), is_fitted_.end(), 0);
+    const std::size_t count = at(surface.deformable_triangles);
+    parallel_for(count, [&](std::size_t i) {
+        const Triangle& t = surface.triangles[i];
+        triangle_boxes_[i] = unite(segment_box(start[at(t[0])], start[at(t[1])], 0.0),
+                                   segment_box(start[at(t[2])], start[at(t[2])], 0.0));
+    });
+    deformables_ = BoxTree(std::span(triangle_boxes_).first(count));
 }
 
 bool BroadPhase::covers(const ContactSurface& surface, double dt) const {

@@ -33,6 +33,27 @@ public:
     /// are left out.
     void find(const ContactSurface& surface, double dt, std::vector<Candidate>& candidates);
 
+    /// Takes the deformables' mesh anew, the obstacles as they were.
+    /// @param start #V deformable: positions that the tree's splits are made of, m; given the same
+    ///              ones, pairs come in the same order
+    void remesh(const ContactSurface& surface, std::span<const Vec3> start);
+
+    /// Whether deformables are looked at against each other.
+    bool looks_at_self() const { return self_; }
+
+    /// Calls f(triangle of the surface) for all whose way in the last find() comes near the box, of
+    /// deformables only when they meet each other.
+    template <typename F>
+    void for_each_near(const ContactSurface& surface, const Box& box, const F& f) const {
+        if (self_) {
+            deformables_.query(box, f);
+        }
+        for (std::size_t o = 0; o < obstacles_.size(); ++o) {
+            const Index first = surface.objects[o].first_triangle;
+            obstacles_[o].query(box, [&](Index t) { f(first + t); });
+        }
+    }
+
     /// True while the candidates of the last find() hold for the present velocities.
     bool covers(const ContactSurface& surface, double dt) const;
 
@@ -70,6 +91,7 @@ private:
     BoxTree deformables_;
     std::vector<BoxTree> obstacles_; ///< one an object of the surface; empty for deformables
     std::vector<FittedMotion> fitted_motions_; ///< of each object's tree
+    std::vector<char> is_fitted_;              ///< whether that holds
     std::vector<BoxTree::Task> tasks_;
     std::vector<std::vector<Candidate>> found_; ///< a task
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "collide/edit_guard.h"
 #include "geometry/separation.h"
 #include "state/world.h"
 
@@ -121,6 +122,15 @@ public:
                           std::span<const char> held,
                           double dt,
                           std::optional<std::span<const Contact>> contacts = {});
+
+    /// From here until the world's mesh changes: which edits of it leave contact as the last
+    /// resolve() left it. None: contact is off.
+    std::optional<EditGuard> guard_edits() const;
+
+    /// Takes up the world's changed mesh. Later results are those of a solver that never knew
+    /// another one.
+    /// @param start  #V of World, where vertices were at t = 0, m: see BroadPhase::remesh
+    void remesh(const World& world, std::span<const Vec3> start);
 
     /// One line for the user each: cloths whose mesh is finer than their contact thickness.
     const std::vector<std::string>& warnings() const;

@@ -357,6 +357,28 @@ ContactSolver::ContactSolver(const World& world, const ContactParams& params)
 ContactSolver::~ContactSolver() = default;
 ContactSolver::ContactSolver(ContactSolver&&) noexcept = default;
 
+std::optional<EditGuard> ContactSolver::guard_edits() const {
+    if (!impl_->params.enabled) {
+        return std::nullopt;
+    }
+    return EditGuard(impl_->surface, impl_->broad_phase, impl_->ends);
+}
+
+/// What is known to be free of crossings stays so: the edits were guarded.
+void ContactSolver::remesh(const World& world, std::span<const Vec3> start) {
+    Impl& impl = *impl_;
+    const auto old_count = static_cast<long>(impl.surface.deformable_vertices);
+    impl.surface = make_surface(world, impl.params);
+    impl.broad_phase.remesh(impl.surface, start);
+    impl.crossing_search = CrossingSearch(impl.surface, impl.params.self);
+    impl.clean_start.clear();
+    if (!impl.clean_end.empty()) {
+        impl.clean_end.erase(impl.clean_end.begin(), impl.clean_end.begin() + old_count);
+        impl.clean_end.insert(impl.clean_end.begin(), world.positions.begin(),
+                              world.positions.end());
+    }
+}
+
 const std::vector<std::string>& ContactSolver::warnings() const {
     return impl_->warnings;
 }
