@@ -83,7 +83,8 @@ void Assembler::order_rows() {
     }
 }
 
-/// Writes the rows of the pattern, and where in them each pair stands.
+/// Writes the rows of the pattern, and where in them each pair stands. What is written column by
+/// column, each into all rows, comes out sorted in every row.
 void Assembler::find_places() {
     const std::size_t n = site_of_row_.size();
     pattern_.row_begin.assign(1, 0);
@@ -93,29 +94,20 @@ void Assembler::find_places() {
     }
     pattern_.column.resize(at(pattern_.row_begin.back()));
     pattern_.diagonal.resize(n);
-    keys_.resize(pattern_.column.size());
     places_.assign(sources_.pair_count(), {k_no_index, k_no_index});
-    parallel_for(n, [&](std::size_t row) {
-        const Index site = site_of_row_[row];
-        const auto neighbours = sources_.neighbours(at(site));
-        const std::size_t begin = at(pattern_.row_begin[row]);
-        std::uint64_t* const keys = &keys_[begin]; // column, then which neighbour
-        for (std::size_t k = 0; k < neighbours.size(); ++k) {
-            const Index column = row_of_site_[at(neighbours[k].site)];
-            keys[k] = (static_cast<std::uint64_t>(column) << 32U) | k;
-        }
-        std::sort(keys, keys + neighbours.size());
-        for (std::size_t k = 0; k < neighbours.size(); ++k) {
-            const auto place = static_cast<Index>(begin + k);
-            const auto& [other, pair] = neighbours[keys[k] & 0xffffffffU];
-            pattern_.column[begin + k] = static_cast<Index>(keys[k] >> 32U);
-            (site <= other ? places_[at(pair)].place : places_[at(pair)].mirror) = place;
-            if (site == other) {
+    next_.assign(pattern_.row_begin.begin(), pattern_.row_begin.end() - 1);
+    for (std::size_t column = 0; column < n; ++column) {
+        const Index site = site_of_row_[column];
+        for (const auto& [other, pair] : sources_.neighbours(at(site))) {
+            const Index place = next_[at(row_of_site_[at(other)])]++;
+            pattern_.column[at(place)] = static_cast<Index>(column);
+            (other <= site ? places_[at(pair)].place : places_[at(pair)].mirror) = place;
+            if (other == site) {
                 places_[at(pair)].mirror = place;
-                pattern_.diagonal[row] = place;
+                pattern_.diagonal[column] = place;
             }
         }
-    });
+    }
 }
 
 std::span<Mat3> Assembler::blocks_of(std::size_t set, std::span<Mat3> element_blocks) const {

@@ -64,7 +64,7 @@ private:
     std::vector<Index> vertex_of_site_, row_of_site_; ///< k_no_index: no vertex there
     std::vector<Place> places_;                       ///< by pair; k_no_index: not used
     std::vector<Index> graph_begin_, graph_column_;   ///< neighbours, by vertex
-    std::vector<std::uint64_t> keys_;                 ///< of the columns while they are sorted
+    std::vector<Index> next_;                         ///< free place of each row
 };
 
 } // namespace weft

@@ -11,13 +11,29 @@ std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
 }
 
-/// Calls f(block of the element, site a, site b) for each block that has both nodes.
+constexpr unsigned k_all = ~0U;
+
+/// Calls f(block of the element, site a, site b, on its diagonal) for each block that has both
+/// nodes.
 template <typename F> void for_each_block(std::span<const Index> nodes, const F& f) {
     std::size_t block = 0;
     for (std::size_t a = 0; a < nodes.size(); ++a) {
         for (std::size_t b = a; b < nodes.size(); ++b, ++block) {
             if (nodes[a] != k_no_index && nodes[b] != k_no_index) {
                 f(block, nodes[a], nodes[b], a == b);
+            }
+        }
+    }
+}
+
+/// The same with whether the block has a node among those `moved`.
+template <typename F>
+void for_each_block(std::span<const Index> nodes, unsigned moved, const F& f) {
+    std::size_t block = 0;
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+        for (std::size_t b = a; b < nodes.size(); ++b, ++block) {
+            if (nodes[a] != k_no_index && nodes[b] != k_no_index) {
+                f(block, nodes[a], nodes[b], a == b, ((moved >> a | moved >> b) & 1U) != 0);
             }
         }
     }
@@ -245,34 +261,44 @@ void SourceLists::touch(Index pair) {
     }
 }
 
-void SourceLists::take_out(const ElementRooms::Set& set, std::size_t slot) {
+/// Takes what has to do with the moved nodes out of the lists. The other constants may have become
+/// others.
+void SourceLists::take_out(const ElementRooms::Set& set, std::size_t slot, unsigned moved) {
     const std::span<const Index> nodes = nodes_of(set, slot);
     ListPool<std::uint32_t>& lists = set.is_constant ? constants_ : blocks_;
-    for_each_block(nodes, [&](std::size_t block, Index a, Index b, bool same) {
-        const Index pair = pair_of(at(a), at(b));
-        touch(pair);
-        for_each_source(set.block_begin + slot * set.blocks_per_element + block, a, b, same,
-                        [&](std::uint32_t source) { lists.erase(at(pair), source); });
+    const std::size_t first = set.block_begin + slot * set.blocks_per_element;
+    for_each_block(nodes, moved, [&](std::size_t block, Index a, Index b, bool same, bool goes) {
+        if (goes || set.is_constant) {
+            const Index pair = pair_of(at(a), at(b));
+            touch(pair);
+            if (goes) {
+                for_each_source(first + block, a, b, same,
+                                [&](std::uint32_t source) { lists.erase(at(pair), source); });
+            }
+        }
     });
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-        if (nodes[k] != k_no_index) {
+        if (nodes[k] != k_no_index && ((moved >> k) & 1U) != 0) {
             const std::size_t force = set.force_begin + slot * set.nodes_per_element + k;
             forces_.erase(at(nodes[k]), static_cast<std::uint32_t>(force));
         }
     }
 }
 
-void SourceLists::put_in(const ElementRooms::Set& set, std::size_t slot) {
+void SourceLists::put_in(const ElementRooms::Set& set, std::size_t slot, unsigned moved) {
     const std::span<const Index> nodes = nodes_of(set, slot);
     ListPool<std::uint32_t>& lists = set.is_constant ? constants_ : blocks_;
-    for_each_block(nodes, [&](std::size_t block, Index a, Index b, bool same) {
-        const Index pair = join(at(a), at(b));
-        touch(pair);
-        for_each_source(set.block_begin + slot * set.blocks_per_element + block, a, b, same,
-                        [&](std::uint32_t source) { lists.insert(at(pair), source); });
+    const std::size_t first = set.block_begin + slot * set.blocks_per_element;
+    for_each_block(nodes, moved, [&](std::size_t block, Index a, Index b, bool same, bool comes) {
+        if (comes) {
+            const Index pair = join(at(a), at(b));
+            touch(pair);
+            for_each_source(first + block, a, b, same,
+                            [&](std::uint32_t source) { lists.insert(at(pair), source); });
+        }
     });
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-        if (nodes[k] != k_no_index) {
+        if (nodes[k] != k_no_index && ((moved >> k) & 1U) != 0) {
             const std::size_t force = set.force_begin + slot * set.nodes_per_element + k;
             forces_.insert(at(nodes[k]), static_cast<std::uint32_t>(force));
         }
@@ -285,51 +311,40 @@ void SourceLists::change(const ElementRooms& rooms,
     take_out_altered(rooms, sets, changed);
     add_and_remove_vertices(rooms);
     for (std::size_t s = 0; s < sets.size(); ++s) {
-        for (const Index slot : altered_[s]) {
-            put_in(rooms.sets()[s], at(slot));
+        for (const Altered& element : altered_[s]) {
+            put_in(rooms.sets()[s], at(element.slot), element.moved);
         }
     }
     settle_touched(rooms, sets);
     keep_counts(rooms);
 }
 
-/// Takes out the elements that are gone and those whose nodes are others now, and notes the new
-/// nodes of the latter and of new elements. Of those that join the same nodes as before only the
-/// constants may be others.
+/// Takes out the elements that are gone, and of those that changed what has to do with the nodes
+/// that they have no more; notes their new nodes.
 void SourceLists::take_out_altered(const ElementRooms& rooms,
                                    std::span<const ElementSet> sets,
                                    std::span<const std::vector<Index>> changed) {
     for (std::size_t s = 0; s < sets.size(); ++s) {
         const ElementRooms::Set& set = rooms.sets()[s];
         for (std::size_t slot = set.count; slot < element_counts_[s]; ++slot) {
-            take_out(set, slot);
+            take_out(set, slot, k_all);
             std::ranges::fill(nodes_of(set, slot), k_no_index);
         }
         altered_[s].clear();
         for (const Index slot : changed[s]) {
             const std::span<Index> nodes = nodes_of(set, at(slot));
-            bool is_same = at(slot) < element_counts_[s];
-            for (std::size_t k = 0; k < nodes.size() && is_same; ++k) {
-                is_same = nodes[k] == rooms.site_of_node(sets[s], at(slot) * nodes.size() + k);
-            }
-            if (is_same) {
-                if (set.is_constant) {
-                    touch_all(set, at(slot));
-                }
-                continue;
-            }
-            altered_[s].push_back(slot);
-            take_out(set, at(slot));
+            std::array<Index, 8> now{};
+            assert(nodes.size() <= now.size());
+            unsigned moved = 0;
             for (std::size_t k = 0; k < nodes.size(); ++k) {
-                nodes[k] = rooms.site_of_node(sets[s], at(slot) * nodes.size() + k);
+                now[k] = rooms.site_of_node(sets[s], at(slot) * nodes.size() + k);
+                moved |= now[k] != nodes[k] ? 1U << k : 0U;
             }
+            take_out(set, at(slot), moved);
+            std::copy_n(now.begin(), nodes.size(), nodes.begin());
+            altered_[s].push_back({slot, moved});
         }
     }
-}
-
-void SourceLists::touch_all(const ElementRooms::Set& set, std::size_t slot) {
-    for_each_block(nodes_of(set, slot),
-                   [&](std::size_t, Index a, Index b, bool) { touch(pair_of(at(a), at(b))); });
 }
 
 /// Every vertex has its block on the diagonal, also where no element is.

@@ -54,13 +54,19 @@ public:
     double constant(std::size_t pair) const { return constant_[pair]; }
 
 private:
+    /// An element some of whose nodes are others than before.
+    struct Altered {
+        Index slot;
+        unsigned moved; ///< bit k: node k
+    };
+
     void find_nodes(const ElementRooms& rooms, std::span<const ElementSet> sets);
     void list_forces(const ElementRooms& rooms);
     void list_neighbours(const ElementRooms& rooms);
     void list_blocks(const ElementRooms& rooms, bool constant, ListPool<std::uint32_t>& lists);
     void sum_constants(const ElementRooms& rooms, std::span<const ElementSet> sets, Index pair);
-    void take_out(const ElementRooms::Set& set, std::size_t slot);
-    void put_in(const ElementRooms::Set& set, std::size_t slot);
+    void take_out(const ElementRooms::Set& set, std::size_t slot, unsigned moved);
+    void put_in(const ElementRooms::Set& set, std::size_t slot, unsigned moved);
     Index pair_of(std::size_t site_a, std::size_t site_b) const;
     Index join(std::size_t site_a, std::size_t site_b);
     void part(Index pair);
@@ -68,7 +74,6 @@ private:
     void take_out_altered(const ElementRooms& rooms,
                           std::span<const ElementSet> sets,
                           std::span<const std::vector<Index>> changed);
-    void touch_all(const ElementRooms::Set& set, std::size_t slot);
     void add_and_remove_vertices(const ElementRooms& rooms);
     void settle_touched(const ElementRooms& rooms, std::span<const ElementSet> sets);
     std::span<Index> nodes_of(const ElementRooms::Set& set, std::size_t slot) {
@@ -84,11 +89,11 @@ private:
     ListPool<std::uint32_t> blocks_;    ///< by pair
     ListPool<std::uint32_t> constants_; ///< by pair, as blocks, in the array of constant blocks
     std::vector<double> constant_;      ///< by pair
-    std::vector<std::array<Index, 2>> sites_; ///< of each pair, the lower one first
-    std::vector<Index> free_;                 ///< numbers of pairs that are gone
-    std::vector<Index> touched_;              ///< pairs whose lists a change altered
-    std::vector<char> is_touched_;            ///< by pair
-    std::vector<std::vector<Index>> altered_; ///< by set: slots of a change with other nodes
+    std::vector<std::array<Index, 2>> sites_;   ///< of each pair, the lower one first
+    std::vector<Index> free_;                   ///< numbers of pairs that are gone
+    std::vector<Index> touched_;                ///< pairs whose lists a change altered
+    std::vector<char> is_touched_;              ///< by pair
+    std::vector<std::vector<Altered>> altered_; ///< by set, during a change
 };
 
 } // namespace weft

@@ -4,6 +4,7 @@
 #include "support/sheets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace weft::test {
@@ -132,7 +133,7 @@ ChangingSheet::ChangingSheet(Sheet sheet,
     rebuild_cloth();
 }
 
-ClothChanges ChangingSheet::change(int edits, double growth) {
+ClothChanges ChangingSheet::change(int edits, double growth, double window) {
     const Cloth old_cloth = cloth_;
     const std::vector<Index> old_ids = ids_;
     is_used_.assign(sheet_.triangles.size(), 0);
@@ -147,7 +148,8 @@ ClothChanges ChangingSheet::change(int edits, double growth) {
             valence_[at(edge.v[0])] = valence_[at(edge.v[1])] = 0;
         }
     }
-    const std::size_t triangles = sheet_.triangles.size();
+    const auto triangles =
+        static_cast<std::size_t>(std::ceil(window * static_cast<double>(sheet_.triangles.size())));
     std::uniform_real_distribution<double> share;
     for (int i = 0; i < edits; ++i) {
         const std::size_t t = random_() % triangles;

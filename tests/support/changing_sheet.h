@@ -27,8 +27,14 @@ public:
     std::span<const Vec2> points() const { return sheet_.points; } ///< #V, m
 
     /// Tries `edits` edits, no two at the same triangle.
-    /// @param growth  share of splits among them: above a half the sheet grows
-    ClothChanges change(int edits, double growth = 0.5);
+    /// @param growth  share of splits among those that change the number of triangles
+    /// @param window  from which the triangles are taken, as a share of their numbers
+    ClothChanges change(int edits, double growth = 0.5, double window = 1.0);
+
+    /// What would change if this sheet became that earlier or later state of it.
+    ClothChanges changes_to(const ChangingSheet& other) const {
+        return diff_cloths(cloth_, ids_, other.cloth_, other.ids_);
+    }
 
 private:
     void split(std::size_t t);
