@@ -1,4 +1,4 @@
-#include "state/cloth.h"
+#include "state/rest_triangle.h"
 
 #include <cassert>
 

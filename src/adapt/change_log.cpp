@@ -1,0 +1,124 @@
+#include "adapt/change_log.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace weft {
+
+namespace {
+
+std::size_t at(Index i) {
+    return static_cast<std::size_t>(i);
+}
+
+bool are_same(const RestTriangle& a, const RestTriangle& b) {
+    return a.inverse_edges == b.inverse_edges && a.area == b.area;
+}
+
+bool are_same(const MeshEdge& a, const MeshEdge& b) {
+    return a.v == b.v && a.triangle == b.triangle && a.apex == b.apex;
+}
+
+/// Adds the slots that were not there at begin.
+void add_new_slots(Index count_before, std::size_t count, std::vector<Index>& slots) {
+    std::sort(slots.begin(), slots.end());
+    for (Index i = count_before; i < static_cast<Index>(count); ++i) {
+        slots.push_back(i);
+    }
+}
+
+} // namespace
+
+void ChangeLog::begin(const Cloth& cloth) {
+    for (const OldTriangle& old : triangles_) {
+        is_triangle_touched_[at(old.slot)] = 0;
+    }
+    for (const OldEdge& old : edges_) {
+        is_edge_touched_[at(old.slot)] = 0;
+    }
+    triangles_.clear();
+    edges_.clear();
+    moved_.clear();
+    vertex_count_ = cloth.vertex_count;
+    triangle_count_ = static_cast<Index>(cloth.triangles.size());
+    edge_count_ = static_cast<Index>(cloth.topology.edges.size());
+    is_triangle_touched_.resize(at(triangle_count_), 0);
+    is_edge_touched_.resize(at(edge_count_), 0);
+}
+
+void ChangeLog::touch_triangle(const Cloth& cloth, Index t) {
+    if (t < triangle_count_ && is_triangle_touched_[at(t)] == 0) {
+        is_triangle_touched_[at(t)] = 1;
+        triangles_.push_back({t, cloth.triangles[at(t)], cloth.rest[at(t)]});
+    }
+    for (const Index e : cloth.topology.triangle_edges[at(t)]) {
+        touch_edge(cloth, e);
+    }
+}
+
+void ChangeLog::touch_edge(const Cloth& cloth, Index e) {
+    if (e < edge_count_ && is_edge_touched_[at(e)] == 0) {
+        is_edge_touched_[at(e)] = 1;
+        edges_.push_back({e, cloth.topology.edges[at(e)]});
+    }
+}
+
+void ChangeLog::move_vertex(Index from, Index to) {
+    if (to < vertex_count_) {
+        moved_.push_back({to, from < vertex_count_ ? from : k_no_index});
+    }
+}
+
+ClothChanges ChangeLog::changes(const Cloth& cloth) const {
+    ClothChanges changes;
+    for (const ClothChanges::Vertex& moved : moved_) {
+        if (moved.slot < cloth.vertex_count) {
+            changes.vertices.push_back(moved);
+        }
+    }
+    std::sort(changes.vertices.begin(), changes.vertices.end(),
+              [](const auto& a, const auto& b) { return a.slot < b.slot; });
+    for (Index v = vertex_count_; v < cloth.vertex_count; ++v) {
+        changes.vertices.push_back({v, k_no_index});
+    }
+    for (const OldTriangle& old : triangles_) {
+        if (at(old.slot) < cloth.triangles.size() &&
+            (old.corners != cloth.triangles[at(old.slot)] ||
+             !are_same(old.rest, cloth.rest[at(old.slot)]))) {
+            changes.triangles.push_back(old.slot);
+        }
+    }
+    add_new_slots(triangle_count_, cloth.triangles.size(), changes.triangles);
+    for (const OldEdge& old : edges_) {
+        if (at(old.slot) < cloth.topology.edges.size() &&
+            !are_same(old.edge, cloth.topology.edges[at(old.slot)])) {
+            changes.edges.push_back(old.slot);
+        }
+    }
+    add_new_slots(edge_count_, cloth.topology.edges.size(), changes.edges);
+    return changes;
+}
+
+std::vector<Index> ChangeLog::touched_vertices(const Cloth& cloth) const {
+    std::vector<Index> vertices;
+    const auto add = [&](const Triangle& corners) {
+        for (const Index v : corners) {
+            if (v != k_no_index && v < cloth.vertex_count) {
+                vertices.push_back(v);
+            }
+        }
+    };
+    for (const OldTriangle& old : triangles_) {
+        if (at(old.slot) < cloth.triangles.size()) {
+            add(cloth.triangles[at(old.slot)]);
+        }
+    }
+    for (std::size_t t = at(triangle_count_); t < cloth.triangles.size(); ++t) {
+        add(cloth.triangles[t]);
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+}
+
+} // namespace weft

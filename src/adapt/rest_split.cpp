@@ -1,0 +1,120 @@
+#include "adapt/rest_split.h"
+
+#include <cassert>
+
+namespace weft {
+
+namespace {
+
+/// Frames nearer to each other, rad, are one: what is left is rounding.
+constexpr double k_same_frame = 1e-12;
+
+/// Scales nearer to 1 are rounding: applying them would only add more.
+constexpr double k_same_area = 1e-14;
+
+Mat2 matrix(double a, double b, double c, double d) {
+    Mat2 m;
+    m << a, b, c, d;
+    return m;
+}
+
+/// The part of a third of the area whose edges are Dm B, from B^-1.
+RestTriangle third(const RestTriangle& parent, const Mat2& inverse_B) {
+    return {inverse_B * parent.inverse_edges, parent.area / 3.0};
+}
+
+double cross(const Vec2& a, const Vec2& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+double angle_between(const Vec2& from, const Vec2& to) {
+    return std::atan2(cross(from, to), from.dot(to));
+}
+
+RestTriangle from_edges(const Vec2& e1, const Vec2& e2) {
+    const double det = cross(e1, e2);
+    return {matrix(e2.y(), -e2.x(), -e1.y(), e1.x()) / det, 0.5 * det};
+}
+
+Vec2 turned(const Vec2& v, double angle) {
+    return Eigen::Rotation2Dd(angle) * v;
+}
+
+} // namespace
+
+RestTriangle parent_rest(const InsertedVertex& record) {
+    const auto& r = record.parent_rest;
+    return {matrix(r[0], r[2], r[1], r[3]), r[4]};
+}
+
+void set_parent_rest(InsertedVertex& record, const RestTriangle& rest) {
+    const Mat2& m = rest.inverse_edges;
+    record.parent_rest = {m(0, 0), m(1, 0), m(0, 1), m(1, 1), rest.area};
+}
+
+// Inverses of the edges in the parent's barycentric terms, Dm' = Dm B. With m0 = (0, 0),
+// m1 = (1, 0), m2 = (0, 1) and c = (1/3, 1/3) all of them are integers.
+
+RestTriangle split_rest(const RestTriangle& parent, std::uint32_t k) {
+    switch (k) {
+    case 0:
+        return third(parent, matrix(-1, -2, 1, -1));
+    case 1:
+        return third(parent, matrix(2, 1, 1, 2));
+    default:
+        assert(k == 2);
+        return third(parent, matrix(-1, 1, -2, -1));
+    }
+}
+
+RestTriangle trisect_rest(const RestTriangle& parent, std::uint32_t k) {
+    switch (k) {
+    case 0:
+        return third(parent, matrix(2, -1, -1, 2));
+    case 1:
+        return third(parent, matrix(-1, -1, 1, -2));
+    default:
+        assert(k == 2);
+        return third(parent, matrix(-2, 1, -1, -1));
+    }
+}
+
+double frame_turn(const RestTriangle& first,
+                  std::size_t first_corner,
+                  const RestTriangle& second,
+                  std::size_t second_corner) {
+    const auto m = rest_corners(first);
+    const auto n = rest_corners(second);
+    const Vec2 a_b = m[(first_corner + 2) % 3] - m[(first_corner + 1) % 3];
+    const Vec2 b_a = n[(second_corner + 2) % 3] - n[(second_corner + 1) % 3];
+    return angle_between(-b_a, a_b);
+}
+
+RestFlip flip_rest(const RestTriangle& first, const RestTriangle& second) {
+    const double turn = frame_turn(first, 0, second, 0);
+    const double half = std::abs(turn) < k_same_frame ? 0.0 : 0.5 * turn;
+    auto m = rest_corners(first);  // P, a, b
+    auto n = rest_corners(second); // Q, b, a
+    if (half != 0.0) {
+        for (std::size_t k = 1; k < 3; ++k) {
+            m[k] = turned(m[k], -half);
+            n[k] = turned(n[k], half);
+        }
+    }
+    const Vec2 P_Q_by_a = m[1] - n[2]; // the same where the edge has one length
+    const Vec2 Q_P_by_b = n[1] - m[2];
+    RestFlip flip{{from_edges(m[1], P_Q_by_a), from_edges(n[1], Q_P_by_b)}, 0.0};
+
+    const double area = first.area + second.area;
+    flip.least_share = std::min(flip.rest[0].area, flip.rest[1].area) / area;
+    const double scale = area / (flip.rest[0].area + flip.rest[1].area);
+    if (std::abs(scale - 1.0) > k_same_area) {
+        for (RestTriangle& rest : flip.rest) {
+            rest.inverse_edges /= std::sqrt(scale);
+            rest.area *= scale;
+        }
+    }
+    return flip;
+}
+
+} // namespace weft

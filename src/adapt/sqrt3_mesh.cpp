@@ -1,0 +1,144 @@
+#include "adapt/sqrt3_mesh.h"
+
+#include "adapt/rest_split.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace weft {
+
+namespace {
+
+std::size_t at(Index i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// Place of an odd generation's part in TriangleLevel::parts.
+int part_shift(int generation) {
+    assert(generation % 2 != 0 && generation < 2 * k_most_levels + 2);
+    return generation - 1;
+}
+
+} // namespace
+
+Sqrt3Mesh::Sqrt3Mesh(const Cloth& cloth) : stars_(cloth.triangles, cloth.vertex_count) {
+    assert(!cloth.refinement.empty());
+}
+
+void Sqrt3Mesh::begin(Cloth& cloth, AdaptionHooks hooks, const AdaptionLimits& limits) {
+    assert(cloth_ == nullptr);
+    assert(0 <= limits.max_level && limits.max_level <= k_most_levels);
+    assert(cloth.refinement.triangles.size() == cloth.triangles.size());
+    cloth_ = &cloth;
+    hooks_ = std::move(hooks);
+    limits_ = limits;
+    log_.begin(cloth);
+}
+
+const Triangle& Sqrt3Mesh::corners(Index t) const {
+    return cloth_->triangles[at(t)];
+}
+
+const MeshEdge& Sqrt3Mesh::edge(Index e) const {
+    return cloth_->topology.edges[at(e)];
+}
+
+Index Sqrt3Mesh::edge_of(Index t, std::size_t corner) const {
+    return cloth_->topology.triangle_edges[at(t)][corner];
+}
+
+int Sqrt3Mesh::generation(Index t) const {
+    return cloth_->refinement.triangles[at(t)].generation;
+}
+
+std::uint32_t Sqrt3Mesh::part(Index t, int generation) const {
+    return (cloth_->refinement.triangles[at(t)].parts >> part_shift(generation)) & 3U;
+}
+
+void Sqrt3Mesh::set_part(Index t, int generation, std::uint32_t part) {
+    std::uint32_t& parts = cloth_->refinement.triangles[at(t)].parts;
+    parts = (parts & ~(3U << part_shift(generation))) | (part << part_shift(generation));
+}
+
+bool Sqrt3Mesh::is_locked(Index e) const {
+    return cloth_->refinement.locked[at(e)] != 0;
+}
+
+/// Two odd triangles of one generation share their mate edge.
+bool Sqrt3Mesh::are_equal_mates(Index e) const {
+    const auto [A, B] = edge(e).triangle;
+    if (B == k_no_index || !is_odd(A) || generation(A) != generation(B)) {
+        return false;
+    }
+    const bool are_mates = edge_of(A, 0) == e && edge_of(B, 0) == e;
+    // Siblings are cut off together: they share a spoke, opposite to no apex.
+    assert(are_mates || corners(A)[0] == corners(B)[0]);
+    return are_mates;
+}
+
+/// The mate edge of an odd triangle that is cut instead of flipped: nothing lies beyond it, it is
+/// locked, or its triangles are too obtuse. The last depends on the rest shape alone, so that it is
+/// the same whenever it is asked.
+bool Sqrt3Mesh::is_cut_in_three(Index e) const {
+    const auto [A, B] = edge(e).triangle;
+    return B == k_no_index || is_locked(e) ||
+           flip_rest(cloth_->rest[at(A)], cloth_->rest[at(B)]).least_share < k_least_flip_share;
+}
+
+bool Sqrt3Mesh::waits_for_flip(Index e) const {
+    return are_equal_mates(e) && !is_cut_in_three(e);
+}
+
+/// A triangle leaves the stars and its old content goes into the log before it is edited.
+void Sqrt3Mesh::open(Index t) {
+    log_.touch_triangle(*cloth_, t);
+    stars_.remove(t, corners(t));
+}
+
+/// An edited triangle, or a new one, is whole again.
+void Sqrt3Mesh::close(Index t, int generation, const RestTriangle& rest) {
+    cloth_->refinement.triangles[at(t)].generation = generation;
+    cloth_->rest[at(t)] = rest;
+    stars_.add(t, corners(t));
+}
+
+/// Room in the arrays beside the mesh for what an edit put at its end.
+void Sqrt3Mesh::make_slots() {
+    Refinement& refinement = cloth_->refinement;
+    cloth_->rest.resize(cloth_->triangles.size());
+    refinement.triangles.resize(cloth_->triangles.size());
+    refinement.locked.resize(cloth_->topology.edges.size(), 0);
+}
+
+Index Sqrt3Mesh::add_vertex(const VertexParents& place, InsertedVertex record) {
+    Refinement& refinement = cloth_->refinement;
+    const Index parent = place.parents[0];
+    record.anchor = refinement.is_inserted(parent) ? refinement.inserted(parent).anchor : parent;
+    record.born = limits_.adaption;
+    Vec2 material = Vec2::Zero();
+    for (std::size_t k = 0; k < 3 && place.parents[k] != k_no_index; ++k) {
+        material += place.weights[k] * cloth_->material_positions[at(place.parents[k])];
+    }
+    assert(place.vertex == cloth_->vertex_count);
+    refinement.vertices.push_back(record);
+    cloth_->material_positions.push_back(material);
+    cloth_->rest_areas.push_back(0.0);
+    return cloth_->vertex_count++;
+}
+
+/// Rest shape of t as an odd triangle of that generation, from what it was cut from.
+RestTriangle Sqrt3Mesh::odd_rest(Index t, int generation) const {
+    const Refinement& refinement = cloth_->refinement;
+    const InsertedVertex& apex = refinement.inserted(corners(t)[0]);
+    assert(apex.generation == generation);
+    if (apex.insertion == Insertion::Centre) {
+        return split_rest(parent_rest(apex), part(t, generation));
+    }
+    // (v1, P, a) or (v2, b, P). v1 keeps what was cut on side 0 of the edge, v2 on side 1.
+    const std::uint32_t own = part(t, generation);
+    const bool is_near = (apex.insertion == Insertion::EdgeFirst) == (own == 1);
+    const bool is_own_record = is_near == (apex.insertion == Insertion::EdgeFirst);
+    return trisect_rest(parent_rest(is_own_record ? apex : refinement.inserted(apex.partner)), own);
+}
+
+} // namespace weft
