@@ -164,8 +164,7 @@ ForceSystem::ForceSystem(const World& world, const SceneParams& params) {
         groups_.push_back(std::make_unique<BendingGroup>(world, c));
     }
     assembler_ = std::make_unique<Assembler>(vertex_ranges(world), sets());
-    element_forces_.resize(assembler_->force_count());
-    element_blocks_.resize(assembler_->block_count());
+    resize_arrays();
 }
 
 ForceSystem::~ForceSystem() = default;
@@ -185,8 +184,19 @@ void ForceSystem::adapt(const World& world, std::span<const ClothChanges> change
         changed.push_back(group->adapt(world, changes));
     }
     assembler_->update(vertex_ranges(world), sets(), changed);
-    element_forces_.resize(assembler_->force_count());
-    element_blocks_.resize(assembler_->block_count());
+    resize_arrays();
+}
+
+/// What elements wrote is not kept: each evaluation writes all of it.
+void ForceSystem::resize_arrays() {
+    if (element_forces_.size() != assembler_->force_count()) {
+        element_forces_.clear();
+        element_forces_.resize(assembler_->force_count());
+    }
+    if (element_blocks_.size() != assembler_->block_count()) {
+        element_blocks_.clear();
+        element_blocks_.resize(assembler_->block_count());
+    }
 }
 
 void ForceSystem::start_substep(std::span<const Vec3> v) {

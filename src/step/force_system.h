@@ -50,6 +50,7 @@ private:
     class AttachmentGroup;
 
     std::vector<ElementSet> sets() const;
+    void resize_arrays();
 
     std::vector<std::unique_ptr<Group>> groups_; ///< in the order in which they are summed
     AttachmentGroup* attachments_;               ///< one of them

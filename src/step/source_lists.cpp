@@ -59,6 +59,7 @@ void SourceLists::build(const ElementRooms& rooms, std::span<const ElementSet> s
     list_forces(rooms);
     list_neighbours(rooms);
     altered_.resize(sets.size());
+    altered_count_ = 0;
     keep_counts(rooms);
 }
 
@@ -328,6 +329,7 @@ void SourceLists::take_out_altered(const ElementRooms& rooms,
         const ElementRooms::Set& set = rooms.sets()[s];
         for (std::size_t slot = set.count; slot < element_counts_[s]; ++slot) {
             take_out(set, slot, k_all);
+            ++altered_count_;
             std::ranges::fill(nodes_of(set, slot), k_no_index);
         }
         altered_[s].clear();
@@ -343,6 +345,7 @@ void SourceLists::take_out_altered(const ElementRooms& rooms,
             take_out(set, at(slot), moved);
             std::copy_n(now.begin(), nodes.size(), nodes.begin());
             altered_[s].push_back({slot, moved});
+            altered_count_ += moved != 0 ? 1 : 0;
         }
     }
 }

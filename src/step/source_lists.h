@@ -39,6 +39,9 @@ public:
                 std::span<const ElementSet> sets,
                 std::span<const std::vector<Index>> changed);
 
+    /// Elements that other nodes were given, or that came or went, since all was made anew.
+    std::size_t altered_count() const { return altered_count_; }
+
     /// Neighbours of a vertex by ascending site, itself among them.
     std::span<const Neighbour> neighbours(std::size_t site) const { return neighbours_[site]; }
 
@@ -81,6 +84,7 @@ private:
     }
     void keep_counts(const ElementRooms& rooms);
 
+    std::size_t altered_count_ = 0;
     std::vector<std::size_t> element_counts_; ///< by set, what the lists hold
     std::vector<std::size_t> vertex_counts_;  ///< by object
     std::vector<Index> nodes_;          ///< sites of each element's nodes, as element forces stand
