@@ -150,6 +150,31 @@ void MeshHistory::refine_all() {
     finish();
 }
 
+void MeshHistory::refine_around(const Vec2& place) {
+    std::vector<std::pair<double, Index>> by_distance;
+    for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
+        double distance = 0.0;
+        for (const Index v : cloth.triangles[t]) {
+            distance += (cloth.material_positions[at(v)] - place).norm();
+        }
+        by_distance.emplace_back(distance, static_cast<Index>(t));
+    }
+    std::sort(by_distance.begin(), by_distance.end());
+    begin();
+    for (std::size_t i = 0; i < std::min<std::size_t>(4, by_distance.size()); ++i) {
+        mesh.refine(by_distance[i].second);
+    }
+    finish();
+}
+
+int MeshHistory::finest_level() const {
+    int finest = 0;
+    for (const TriangleLevel& level : cloth.refinement.triangles) {
+        finest = std::max(finest, level_of(level.generation));
+    }
+    return finest;
+}
+
 void MeshHistory::coarsen_all() {
     while (!cloth.refinement.vertices.empty() && !testing::Test::HasFailure()) {
         begin();

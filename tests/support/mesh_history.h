@@ -25,6 +25,13 @@ public:
     /// Refines every triangle that there is once, in one adaption.
     void refine_all();
 
+    /// Refines, in one adaption, the triangles whose corners are nearest to a place, in material
+    /// positions.
+    void refine_around(const Vec2& place);
+
+    /// Level of the finest triangle.
+    int finest_level() const;
+
     /// Removes all that was put in, at random, with as few adaptions as it takes.
     void coarsen_all();
 
