@@ -210,20 +210,21 @@ TEST(Sqrt3Mesh, AnglesAndValencesStayBounded) {
     struct Case {
         Sheet sheet;
         double least, greatest; // degrees
-        std::size_t valence;
     };
     // Of the equilateral triangle the parts have 30 and 120 degrees, of the right-angled atan(1/3)
     // and 180 degrees less twice that.
     const double least = std::atan(1.0 / 3.0) * 180.0 / std::numbers::pi;
-    for (const Case& c : {Case{equilateral_sheet(3, 3, 0.1), 30.0, 120.0, 10},
-                          Case{one_diagonal_sheet(3, 3, 1.0, 1.0), least, 180.0 - 2.0 * least, 10},
-                          Case{union_jack_sheet(4, 4, 1.0, 1.0), least, 180.0 - 2.0 * least, 12}}) {
+    for (const Case& c : {Case{equilateral_sheet(3, 3, 0.1), 30.0, 120.0},
+                          Case{one_diagonal_sheet(3, 3, 1.0, 1.0), least, 180.0 - 2.0 * least},
+                          Case{union_jack_sheet(4, 4, 1.0, 1.0), least, 180.0 - 2.0 * least}}) {
+        // Each triangle around a vertex may be cut, which puts an edge into it, and wait.
+        const std::size_t valence = 2 * greatest_valence(test::adaptive_sheet(c.sheet));
         for (unsigned seed = 0; seed < 20; ++seed) {
             MeshHistory history(test::adaptive_sheet(c.sheet), seed, 6);
             history.run(10, 20, 0.8);
             EXPECT_GE(angle_range(history.cloth)[0], c.least - 1e-9);
             EXPECT_LE(angle_range(history.cloth)[1], c.greatest + 1e-9);
-            EXPECT_LE(greatest_valence(history.cloth), c.valence);
+            EXPECT_LE(greatest_valence(history.cloth), valence);
         }
     }
 }
