@@ -1,6 +1,9 @@
+#include "adapt/sqrt3_mesh.h"
 #include "base/parallel.h"
+#include "base/stopwatch.h"
 #include "step/conjugate_gradient.h"
 #include "step/force_system.h"
+#include "support/adaptive_cloths.h"
 #include "support/changing_sheet.h"
 #include "support/worlds.h"
 
@@ -9,23 +12,24 @@
 #include <cmath>
 
 /// What it costs to bring forces and matrix to a mesh of which one triangle in a hundred has
-/// changed, beside making them anew and beside the solve that comes after: sheets of n×n cells (2
-/// triangles each), on one thread.
+/// changed (of edits all over, edits in one part, a band of refinement that moves), beside making
+/// them anew and beside the solve that comes after: sheets of n×n cells (2 triangles each), on one
+/// thread.
 namespace weft {
 
 namespace {
 
 constexpr SystemScales k_scales{1e-4, 1e-2}; // dt = 10 ms
 
-World world_of(const test::ChangingSheet& sheet) {
+World world_of(const Cloth& cloth, std::span<const Vec2> points) {
     World world;
-    world.cloths.push_back(sheet.cloth());
-    for (std::size_t i = 0; i < sheet.points().size(); ++i) {
-        const Vec2& m = sheet.points()[i];
+    world.cloths.push_back(cloth);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec2& m = points[i];
         world.positions.emplace_back(1.02 * m.x(), 0.02 * std::sin(13.0 * m.x() + 7.0 * m.y()),
                                      0.99 * m.y());
         world.velocities.emplace_back(0.0, std::cos(9.0 * m.x()), 0.0);
-        world.masses.push_back(0.2 * sheet.cloth().rest_areas[i]);
+        world.masses.push_back(0.2 * cloth.rest_areas[i]);
     }
     return world;
 }
@@ -41,11 +45,11 @@ struct TwoMeshes {
         test::ChangingSheet sheet(union_jack_sheet(cells, cells, 1.0, 1.0), record.fabric,
                                   BendModel::MidEdge, 1);
         const test::ChangingSheet old = sheet;
-        before = world_of(old);
+        before = world_of(old.cloth(), old.points());
         // an edit changes two triangles or three; some fall on the same one
         const double edits = 0.01 * 2.0 * cells * cells / 1.25;
         there.push_back(sheet.change(static_cast<int>(edits), 0.5, window));
-        after = world_of(sheet);
+        after = world_of(sheet.cloth(), sheet.points());
         back.push_back(sheet.changes_to(old));
     }
 
@@ -68,6 +72,72 @@ void adapt(benchmark::State& bench, double window) {
         is_there = !is_there;
     }
     bench.counters["changed"] = meshes.changed_share();
+    set_thread_count(0);
+}
+
+/// A band of finer triangles that moves over a sheet, as refinement follows a fold.
+class MovingBand {
+public:
+    explicit MovingBand(int cells)
+        : cloth_(test::adaptive_sheet(union_jack_sheet(cells, cells, 1.0, 1.0))), mesh_(cloth_) {
+        cloth_.params.fabric = test::record_sheet(cells).fabric;
+        for (int i = 0; i < 4; ++i) {
+            move(0.0);
+        }
+    }
+
+    /// Moves it by some metres and lets the mesh follow by one generation.
+    ClothChanges move(double distance) {
+        centre_ += distance;
+        mesh_.begin(cloth_, {}, {.max_level = 2});
+        const auto count = static_cast<Index>(cloth_.triangles.size());
+        for (Index t = 0; t < count; ++t) {
+            if (is_inside(cloth_.triangles[static_cast<std::size_t>(t)][0]) &&
+                mesh_.can_refine(t)) {
+                mesh_.refine(t);
+            }
+        }
+        for (Index v = 0; v < cloth_.vertex_count; ++v) {
+            if (!is_inside(v) && mesh_.can_remove(v)) {
+                mesh_.remove(v);
+            }
+        }
+        return mesh_.finish();
+    }
+
+    const Cloth& cloth() const { return cloth_; }
+
+private:
+    bool is_inside(Index v) const {
+        const Vec2& m = cloth_.material_positions[static_cast<std::size_t>(v)];
+        return std::abs(m.x() - centre_) < 0.1;
+    }
+
+    Cloth cloth_;
+    Sqrt3Mesh mesh_;
+    double centre_ = 0.15;
+};
+
+void adapt_to_moving_band(benchmark::State& bench) {
+    MovingBand band(static_cast<int>(bench.range(0)));
+    set_thread_count(1);
+    ForceSystem system(world_of(band.cloth(), band.cloth().material_positions), {});
+    double changed = 0.0;
+    double way = 0.005;
+    double x = 0.0;
+    for (auto _ : bench) {
+        way = x > 0.6 ? -0.005 : x < 0.0 ? 0.005 : way;
+        x += way;
+        const std::vector<ClothChanges> changes{band.move(way)};
+        const World world = world_of(band.cloth(), band.cloth().material_positions);
+        changed += static_cast<double>(changes[0].triangles.size()) /
+                   static_cast<double>(world.triangle_count());
+        const Stopwatch watch;
+        system.adapt(world, changes);
+        bench.SetIterationTime(watch.seconds());
+    }
+    bench.counters["changed"] = changed / static_cast<double>(bench.iterations());
+    bench.counters["triangles"] = static_cast<double>(band.cloth().triangles.size());
     set_thread_count(0);
 }
 
@@ -132,6 +202,7 @@ void assemble(benchmark::State& bench) {
 
 BENCHMARK_CAPTURE(adapt, scattered, 1.0)->WEFT_SIZES;
 BENCHMARK_CAPTURE(adapt, in_one_place, 0.02)->WEFT_SIZES;
+BENCHMARK(adapt_to_moving_band)->WEFT_SIZES->UseManualTime();
 BENCHMARK(make_anew)->WEFT_SIZES;
 BENCHMARK(assemble)->WEFT_SIZES;
 BENCHMARK(solve)->WEFT_SOLVED_SIZES;

@@ -1,8 +1,14 @@
+#include "adapt/sqrt3_mesh.h"
 #include "base/parallel.h"
 #include "step/force_system.h"
+#include "support/adaptive_cloths.h"
 #include "support/changing_world.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
 
 namespace weft {
 
@@ -44,6 +50,70 @@ void expect_same_bits(const Assembled& a, const Assembled& b) {
     ASSERT_TRUE(a.forces == b.forces);
     ASSERT_TRUE(a.forces_alone == b.forces_alone);
 }
+
+/// Cloths that refine and coarsen themselves, placed one above the other.
+class RefinedWorld {
+public:
+    World world;
+
+    RefinedWorld() {
+        for (const int cells : {5, 4}) {
+            world.cloths.push_back(adaptive_sheet(rough_sheet(cells, 0.2, 3)));
+            world.cloths.back().params.fabric.damping = {0.1, 0.01};
+        }
+        for (const Cloth& cloth : world.cloths) {
+            meshes_.emplace_back(cloth);
+        }
+        place_vertices();
+    }
+
+    /// @param share of the edits that refine
+    std::vector<ClothChanges> change(int edits, double share) {
+        std::vector<ClothChanges> changes;
+        for (std::size_t c = 0; c < world.cloths.size(); ++c) {
+            Cloth& cloth = world.cloths[c];
+            meshes_[c].begin(cloth, {}, {.max_level = 4});
+            for (int i = 0; i < edits; ++i) {
+                const auto refine = std::bernoulli_distribution(share)(random_);
+                const std::size_t slots =
+                    refine ? cloth.triangles.size() : static_cast<std::size_t>(cloth.vertex_count);
+                const auto slot = static_cast<Index>(random_() % slots);
+                if (refine && cloth.triangles[static_cast<std::size_t>(slot)][0] != k_no_index) {
+                    meshes_[c].refine(slot);
+                } else if (!refine && meshes_[c].can_remove(slot)) {
+                    meshes_[c].remove(slot);
+                }
+            }
+            changes.push_back(meshes_[c].finish());
+        }
+        place_vertices();
+        return changes;
+    }
+
+    bool is_imported() const {
+        return std::ranges::all_of(world.cloths,
+                                   [](const Cloth& c) { return c.refinement.vertices.empty(); });
+    }
+
+private:
+    void place_vertices() {
+        world.positions.clear();
+        world.velocities.clear();
+        world.masses.clear();
+        for (Cloth& cloth : world.cloths) {
+            cloth.first_vertex = static_cast<Index>(world.positions.size());
+            for (std::size_t i = 0; i < cloth.material_positions.size(); ++i) {
+                const Vec2& m = cloth.material_positions[i];
+                world.positions.emplace_back(1.02 * m.x(), std::sin(9.0 * m.x()), m.y());
+                world.velocities.emplace_back(m.x() * m.y(), std::cos(9.0 * m.x()), m.y());
+                world.masses.push_back(0.2 * cloth.rest_areas[i]);
+            }
+        }
+    }
+
+    std::vector<Sqrt3Mesh> meshes_;
+    std::mt19937 random_{5};
+};
 
 } // namespace
 
@@ -103,6 +173,27 @@ TEST(ForceSystem, IsTheSameForAnyNumberOfThreadsAfterChanges) {
     };
 
     expect_same_bits(after_changes(1), after_changes(3));
+}
+
+TEST(ForceSystem, RefinedAndCoarsenedIsTheOneMadeAfresh) {
+    RefinedWorld refined;
+    const World& world = refined.world;
+    ForceSystem system(world, k_windy);
+    const Assembled imported = assembled(system, world);
+    for (int round = 0; round < 30; ++round) {
+        const auto changes = refined.change(6, round < 15 ? 0.8 : 0.3);
+
+        system.adapt(world, changes);
+
+        ForceSystem fresh(world, k_windy);
+        expect_same_bits(assembled(system, world), assembled(fresh, world));
+    }
+    for (int round = 0; round < 500 && !refined.is_imported(); ++round) {
+        system.adapt(world, refined.change(100, 0.0));
+    }
+
+    ASSERT_TRUE(refined.is_imported());
+    expect_same_bits(assembled(system, world), imported);
 }
 
 } // namespace weft
