@@ -77,8 +77,8 @@ bool Sqrt3Mesh::are_equal_mates(Index e) const {
 }
 
 /// The mate edge of an odd triangle that is cut instead of flipped: nothing lies beyond it, it is
-/// locked, or its triangles are too obtuse. The last depends on the rest shape alone, so that it is
-/// the same whenever it is asked.
+/// locked, or its triangles are far from halves of a parallelogram (k_least_flip_share). The last
+/// depends on the rest shape alone, so that it is the same whenever it is asked.
 bool Sqrt3Mesh::is_cut_in_three(Index e) const {
     const auto [A, B] = edge(e).triangle;
     return B == k_no_index || is_locked(e) ||

@@ -45,9 +45,10 @@ public:
     bool can_refine(Index t) const;
 
     /// Refines triangle t once: even generation: cut into three about its barycentre; odd: flipped
-    /// with its mate, which is refined first as far as it needs; odd on a boundary or lock: cut in
-    /// three there. False when that is refused; the mesh is sound then as well, but some of the
-    /// triangles that t rests on may have been refined.
+    /// with its mate, which is refined first as far as it needs; odd on a boundary, a lock or
+    /// a pair too skew to flip (k_least_flip_share): cut in three there. False when that is
+    /// refused; the mesh is sound then as well, but some of the triangles that t rests on may have
+    /// been refined.
     bool refine(Index t);
 
     /// Whether v was put in and nothing finer rests on it. Dead and imported vertices: false.
