@@ -53,6 +53,10 @@ struct Refinement {
     std::vector<std::uint8_t> frozen;     ///< #base_triangles: never cut
     std::vector<Index> pending_flips;     ///< edges whose flip was refused, ascending
 
+    std::vector<Vec3> start; ///< #vertices: where each was, or would have been, at t = 0, m
+    Index adaptions = 0;     ///< done so far
+    double tolerance = 1.0;  ///< of coarseness; above 1 where the budget of triangles is short
+
     bool empty() const { return base_vertices == 0; }
     bool is_inserted(Index v) const { return v >= base_vertices; }
     const InsertedVertex& inserted(Index v) const {

@@ -1,0 +1,70 @@
+#include "adapt/coarseness.h"
+
+#include "base/parallel.h"
+#include "geometry/curvature.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weft {
+
+namespace {
+
+std::size_t at(Index i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// The lesser principal stretch.
+double least_stretch(const Triangle& t, const RestTriangle& rest, std::span<const Vec3> x) {
+    Mat32 edges;
+    edges << x[at(t[1])] - x[at(t[0])], x[at(t[2])] - x[at(t[0])];
+    const Mat32 f = edges * rest.inverse_edges;
+    const double a = f.col(0).squaredNorm();
+    const double b = f.col(0).dot(f.col(1));
+    const double c = f.col(1).squaredNorm();
+    const double half = 0.5 * (a + c);
+    return std::sqrt(std::max(0.0, half - std::hypot(0.5 * (a - c), b)));
+}
+
+double greatest_difference(const Triangle& t, std::span<const Vec3> v) {
+    return std::sqrt(std::max({(v[at(t[0])] - v[at(t[1])]).squaredNorm(),
+                               (v[at(t[1])] - v[at(t[2])]).squaredNorm(),
+                               (v[at(t[2])] - v[at(t[0])]).squaredNorm()}));
+}
+
+} // namespace
+
+void find_coarseness(const Cloth& cloth,
+                     std::span<const Vec3> x,
+                     std::span<const Vec3> v,
+                     std::span<const double> near_curvature,
+                     std::vector<double>& coarseness) {
+    const AdaptParams& adapt = cloth.params.adapt;
+    std::vector<double> curvature;
+    if (adapt.curvature > 0.0) {
+        curvature = mean_curvatures(x, cloth.triangles, cloth.topology);
+        for (std::size_t i = 0; i < near_curvature.size(); ++i) {
+            curvature[i] = std::max(curvature[i], near_curvature[i]);
+        }
+    }
+    coarseness.resize(cloth.triangles.size());
+    parallel_for(cloth.triangles.size(), [&](std::size_t i) {
+        const Triangle& t = cloth.triangles[i];
+        double found = 0.0;
+        if (adapt.curvature > 0.0) {
+            const double greatest =
+                std::max({curvature[at(t[0])], curvature[at(t[1])], curvature[at(t[2])]});
+            found = greatest * std::sqrt(cloth.rest[i].area) / adapt.curvature;
+        }
+        if (adapt.compression > 0.0) {
+            const double compression = 1.0 - least_stretch(t, cloth.rest[i], x);
+            found = std::max(found, compression / adapt.compression);
+        }
+        if (adapt.velocity > 0.0) {
+            found = std::max(found, greatest_difference(t, v) / adapt.velocity);
+        }
+        coarseness[i] = found;
+    });
+}
+
+} // namespace weft

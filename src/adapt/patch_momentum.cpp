@@ -1,0 +1,109 @@
+#include "adapt/patch_momentum.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace weft {
+
+namespace {
+
+/// Share of the greatest principal inertia below which a direction has none: vertices in a line.
+constexpr double k_least_inertia = 1e-9;
+
+/// A rigid motion about a centre.
+struct RigidMotion {
+    Vec3 centre, velocity, spin;
+
+    Vec3 at(const Vec3& x) const { return velocity + spin.cross(x - centre); }
+};
+
+Mat3 inertia_about(const Vec3& centre, std::span<const double> m, std::span<const Vec3> x) {
+    Mat3 inertia = Mat3::Zero();
+    for (std::size_t i = 0; i < m.size(); ++i) {
+        const Vec3 r = x[i] - centre;
+        inertia += m[i] * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
+    }
+    return inertia;
+}
+
+/// Spin of least size with inertia * spin = angular, where there is inertia.
+Vec3 solve_spin(const Mat3& inertia, const Vec3& angular) {
+    const Eigen::SelfAdjointEigenSolver<Mat3> axes(inertia);
+    Vec3 spin = Vec3::Zero();
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        if (axes.eigenvalues()[k] > k_least_inertia * axes.eigenvalues()[2]) {
+            const Vec3 axis = axes.eigenvectors().col(k);
+            spin += axis.dot(angular) / axes.eigenvalues()[k] * axis;
+        }
+    }
+    return spin;
+}
+
+PatchMomentum
+momentum_of(std::span<const double> m, std::span<const Vec3> x, std::span<const Vec3> v) {
+    PatchMomentum momentum;
+    for (std::size_t i = 0; i < m.size(); ++i) {
+        momentum.add(m[i], x[i], v[i]);
+    }
+    return momentum;
+}
+
+} // namespace
+
+void PatchMomentum::add(double m, const Vec3& x, const Vec3& v) {
+    mass += m;
+    linear += m * v;
+    angular += m * x.cross(v);
+    kinetic += 0.5 * m * v.squaredNorm();
+}
+
+PatchMomentum& PatchMomentum::operator+=(const PatchMomentum& other) {
+    mass += other.mass;
+    linear += other.linear;
+    angular += other.angular;
+    kinetic += other.kinetic;
+    return *this;
+}
+
+void restore_momentum(const PatchMomentum& before,
+                      std::span<const double> m,
+                      std::span<const Vec3> x,
+                      std::span<Vec3> v) {
+    PatchMomentum now = momentum_of(m, x, v);
+    Vec3 centre = Vec3::Zero();
+    for (std::size_t i = 0; i < m.size(); ++i) {
+        centre += m[i] / now.mass * x[i];
+    }
+    const Mat3 inertia = inertia_about(centre, m, x);
+    const auto spin_of = [&](const PatchMomentum& momentum) {
+        return solve_spin(inertia, momentum.angular - centre.cross(momentum.linear));
+    };
+    const PatchMomentum missing{0.0, before.linear - now.linear, before.angular - now.angular, 0.0};
+    const RigidMotion correction{centre, missing.linear / now.mass, spin_of(missing)};
+    for (std::size_t i = 0; i < m.size(); ++i) {
+        v[i] += correction.at(x[i]);
+    }
+
+    now = momentum_of(m, x, v);
+    if (now.kinetic <= before.kinetic) {
+        return;
+    }
+    const RigidMotion rigid{centre, now.linear / now.mass, spin_of(now)};
+    double fluctuation = 0.0;
+    for (std::size_t i = 0; i < m.size(); ++i) {
+        fluctuation += 0.5 * m[i] * (v[i] - rigid.at(x[i])).squaredNorm();
+    }
+    if (!(fluctuation > 0.0)) {
+        return;
+    }
+    const double excess = now.kinetic - before.kinetic;
+    const double share = std::sqrt(std::max(0.0, 1.0 - excess / fluctuation));
+    for (std::size_t i = 0; i < m.size(); ++i) {
+        const Vec3 as_rigid = rigid.at(x[i]);
+        v[i] = as_rigid + share * (v[i] - as_rigid);
+    }
+}
+
+} // namespace weft

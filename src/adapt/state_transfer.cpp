@@ -1,0 +1,196 @@
+#include "adapt/state_transfer.h"
+
+#include "adapt/renumber_world.h"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+
+namespace weft {
+
+namespace {
+
+std::size_t at(Index i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// Sets of vertices, joined one by one.
+class DisjointSets {
+public:
+    explicit DisjointSets(std::size_t count) : parents_(count) {
+        std::iota(parents_.begin(), parents_.end(), 0);
+    }
+    Index find(Index v) {
+        while (parents_[at(v)] != v) {
+            parents_[at(v)] = parents_[at(parents_[at(v)])];
+            v = parents_[at(v)];
+        }
+        return v;
+    }
+    void join(Index a, Index b) {
+        a = find(a);
+        b = find(b);
+        parents_[at(std::max(a, b))] = std::min(a, b);
+    }
+
+private:
+    std::vector<Index> parents_;
+};
+
+} // namespace
+
+StateTransfer::StateTransfer(const World& world, const Cloth& cloth)
+    : obstacles_(&world.obstacles), origin_(world.positions[at(cloth.first_vertex)]),
+      states_(at(cloth.vertex_count)), old_count_(states_.size()) {
+    const bool has_history = !world.previous_positions.empty();
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+        const std::size_t v = at(cloth.first_vertex) + i;
+        states_[i].x = world.positions[v];
+        states_[i].v = world.velocities[v];
+        states_[i].previous_x = has_history ? world.previous_positions[v] : states_[i].x;
+        states_[i].previous_v = has_history ? world.previous_velocities[v] : states_[i].v;
+        states_[i].start = cloth.refinement.start[i];
+        states_[i].mass = world.masses[v];
+    }
+    for (const Pin& pin : world.pins) {
+        const Index v = pin.vertex - cloth.first_vertex;
+        if (v >= 0 && v < cloth.vertex_count) {
+            states_[at(v)].pin = pin;
+        }
+    }
+}
+
+void StateTransfer::insert(const VertexParents& place) {
+    assert(place.vertex == static_cast<Index>(states_.size()));
+    VertexState state{};
+    for (Vec3 VertexState::*value : {&VertexState::x, &VertexState::v, &VertexState::previous_x,
+                                     &VertexState::previous_v, &VertexState::start}) {
+        Vec3 mean = Vec3::Zero();
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (place.parents[k] != k_no_index) {
+                mean += place.weights[k] * states_[at(place.parents[k])].*value;
+            }
+        }
+        state.*value = mean;
+    }
+    state.pin = common_pin(place);
+    if (state.pin) {
+        state.pin->start = state.start;
+        const Index obstacle = state.pin->anchor.obstacle;
+        if (obstacle != k_no_index) {
+            state.pin->anchor = anchor_to((*obstacles_)[at(obstacle)], obstacle, state.start);
+        }
+    }
+    states_.push_back(std::move(state));
+}
+
+/// The pin of the first parent when all are held by the same `[[cloth.pin]]`.
+std::optional<Pin> StateTransfer::common_pin(const VertexParents& place) const {
+    const std::optional<Pin>& first = states_[at(place.parents[0])].pin;
+    const bool all = std::all_of(place.parents.begin(), place.parents.end(), [&](Index parent) {
+        return parent == k_no_index ||
+               (first && states_[at(parent)].pin && states_[at(parent)].pin->group == first->group);
+    });
+    return all ? first : std::nullopt;
+}
+
+void StateTransfer::remove(const VertexParents& place) {
+    const VertexState& gone = states_[at(place.vertex)];
+    PatchMomentum left = gone.left;
+    left.add(gone.mass, gone.x - origin_, gone.v);
+    states_[at(place.parents[0])].left += left;
+}
+
+void StateTransfer::move(Index from, Index to) {
+    states_[at(to)] = std::move(states_[at(from)]);
+}
+
+std::vector<Vec3> StateTransfer::positions(const Cloth& cloth) const {
+    std::vector<Vec3> x;
+    for (Index v = 0; v < cloth.vertex_count; ++v) {
+        x.push_back(position(v));
+    }
+    return x;
+}
+
+void StateTransfer::set_masses(const Cloth& cloth, const ClothChanges& changes) {
+    masses_.resize(states_.size());
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+        masses_[i] = states_[i].mass;
+    }
+    for (const Index v : changes.masses) {
+        masses_[at(v)] = cloth.params.fabric.area_density * cloth.rest_areas[at(v)];
+    }
+}
+
+/// Each connected set of changed triangles on its own.
+void StateTransfer::correct_velocities(const Cloth& cloth, const ClothChanges& changes) {
+    DisjointSets patches(states_.size());
+    std::vector<Index> touched;
+    for (const Index t : changes.triangles) {
+        const Triangle& corners = cloth.triangles[at(t)];
+        patches.join(corners[0], corners[1]);
+        patches.join(corners[1], corners[2]);
+        touched.insert(touched.end(), corners.begin(), corners.end());
+    }
+    std::sort(touched.begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+    std::stable_sort(touched.begin(), touched.end(),
+                     [&](Index a, Index b) { return patches.find(a) < patches.find(b); });
+    for (auto begin = touched.begin(); begin != touched.end();) {
+        const Index patch = patches.find(*begin);
+        const auto end =
+            std::find_if(begin, touched.end(), [&](Index v) { return patches.find(v) != patch; });
+        correct_patch({begin, end});
+        begin = end;
+    }
+}
+
+void StateTransfer::correct_patch(std::span<const Index> patch) {
+    PatchMomentum before;
+    std::vector<double> m;
+    std::vector<Vec3> x, v;
+    for (const Index i : patch) {
+        const VertexState& state = states_[at(i)];
+        before += state.left;
+        before.add(state.mass, state.x - origin_, state.v);
+        m.push_back(masses_[at(i)]);
+        x.push_back(state.x - origin_);
+        v.push_back(state.v);
+    }
+    restore_momentum(before, m, x, v);
+    for (std::size_t k = 0; k < patch.size(); ++k) {
+        VertexState& state = states_[at(patch[k])];
+        state.previous_v += v[k] - state.v; // what the last step did to it stays the same
+        state.v = v[k];
+    }
+}
+
+void StateTransfer::finish(World& world, std::size_t index, const ClothChanges& changes) {
+    Cloth& cloth = world.cloths[index];
+    states_.resize(at(cloth.vertex_count));
+    set_masses(cloth, changes);
+    correct_velocities(cloth, changes);
+    renumber_world(world, index, old_count_, changes);
+    const bool has_history = !world.previous_positions.empty();
+    cloth.refinement.start.resize(states_.size());
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+        const std::size_t v = at(cloth.first_vertex) + i;
+        world.positions[v] = states_[i].x;
+        world.velocities[v] = states_[i].v;
+        world.masses[v] = masses_[i];
+        if (has_history) {
+            world.previous_positions[v] = states_[i].previous_x;
+            world.previous_velocities[v] = states_[i].previous_v;
+        }
+        cloth.refinement.start[i] = states_[i].start;
+        if (states_[i].pin) {
+            world.pins.push_back(*states_[i].pin);
+            world.pins.back().vertex = static_cast<Index>(v);
+        }
+    }
+    std::sort(world.pins.begin(), world.pins.end(),
+              [](const Pin& a, const Pin& b) { return a.vertex < b.vertex; });
+}
+
+} // namespace weft

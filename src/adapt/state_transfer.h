@@ -1,0 +1,58 @@
+#pragma once
+
+#include "adapt/adaption_hooks.h"
+#include "adapt/patch_momentum.h"
+#include "state/cloth_changes.h"
+#include "state/world.h"
+
+#include <optional>
+#include <vector>
+
+namespace weft {
+
+/// What the vertices of one cloth carry through an adaption.
+///
+/// A vertex put in stands, and moves, where the surface did: at the weighted mean of its parents,
+/// in the history that BDF2 needs as well; it is pinned when all its parents are, by one pin. A
+/// vertex taken out leaves its momentum. Lumped masses change around all that is edited; then each
+/// connected patch of changed triangles gets back the linear and angular momentum that it had, and
+/// no kinetic energy (methods: "State transfer and conservation").
+class StateTransfer {
+public:
+    StateTransfer(const World& world, const Cloth& cloth);
+
+    void insert(const VertexParents& place);
+    void remove(const VertexParents& place);
+    void move(Index from, Index to);
+
+    /// Positions as the mesh stands now, by slot, m.
+    const Vec3& position(Index v) const { return states_[static_cast<std::size_t>(v)].x; }
+
+    /// All of them, of the cloth as the adaption left it.
+    std::vector<Vec3> positions(const Cloth& cloth) const;
+
+    /// Writes the state of the changed cloth number `index` into the world, whose mesh has been
+    /// changed already, and corrects velocities.
+    void finish(World& world, std::size_t index, const ClothChanges& changes);
+
+private:
+    struct VertexState {
+        Vec3 x, v, previous_x, previous_v, start;
+        double mass = 0.0;  ///< before the adaption, kg; 0: it is new
+        PatchMomentum left; ///< by vertices that were taken out
+        std::optional<Pin> pin;
+    };
+
+    std::optional<Pin> common_pin(const VertexParents& place) const;
+    void set_masses(const Cloth& cloth, const ClothChanges& changes);
+    void correct_velocities(const Cloth& cloth, const ClothChanges& changes);
+    void correct_patch(std::span<const Index> patch);
+
+    const std::vector<Obstacle>* obstacles_;
+    Vec3 origin_;
+    std::vector<VertexState> states_; ///< by slot
+    std::vector<double> masses_;      ///< by slot, after the adaption, kg
+    std::size_t old_count_;
+};
+
+} // namespace weft
