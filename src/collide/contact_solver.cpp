@@ -352,6 +352,7 @@ ContactSolver::ContactSolver(const World& world, const ContactParams& params)
     const std::vector<Vec3> still(world.vertex_count(), Vec3::Zero());
     const std::vector<char> held(world.vertex_count(), 0);
     place_surface(impl_->surface, world, still, held, 1.0);
+    impl_->broad_phase.remesh(impl_->surface, world.positions);
     impl_->broad_phase.find(impl_->surface, 0.0, impl_->candidates);
 }
 ContactSolver::~ContactSolver() = default;

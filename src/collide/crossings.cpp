@@ -102,9 +102,13 @@ std::vector<std::array<Index, 2>> CrossingSearch::find(const ContactSurface& sur
 }
 
 WorldCrossings::WorldCrossings(const World& world, bool self)
-    : surface_(make_surface(world)), search_(surface_, self) {}
+    : self_(self), adaptions_(adaptions_of(world)), surface_(make_surface(world)),
+      search_(surface_, self) {}
 
 std::vector<ContactProblem> WorldCrossings::find(const World& world, double time) {
+    if (adaptions_ != adaptions_of(world)) {
+        *this = WorldCrossings(world, self_);
+    }
     std::copy(world.positions.begin(), world.positions.end(), surface_.start.begin());
     std::size_t next = world.vertex_count();
     for (const Obstacle& obstacle : world.obstacles) {

@@ -38,7 +38,7 @@ ContactProblem describe_crossing(const ContactSurface& surface,
                                  const std::array<Index, 2>& pair);
 
 /// The same search in a world as it stands: for tests and `--verify`, apart from the solver that it
-/// checks.
+/// checks. Follows the world's mesh as it changes.
 class WorldCrossings {
 public:
     WorldCrossings(const World& world, bool self);
@@ -47,6 +47,8 @@ public:
     std::vector<ContactProblem> find(const World& world, double time);
 
 private:
+    bool self_;
+    std::vector<Index> adaptions_; ///< of each cloth's mesh, when the surface was made
     ContactSurface surface_;
     CrossingSearch search_;
 };

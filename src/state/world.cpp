@@ -62,6 +62,14 @@ std::span<const Vec3> World::velocities_of(const Cloth& cloth) const {
                  static_cast<std::size_t>(cloth.vertex_count));
 }
 
+std::vector<Index> adaptions_of(const World& world) {
+    std::vector<Index> adaptions;
+    for (const Cloth& cloth : world.cloths) {
+        adaptions.push_back(cloth.refinement.adaptions);
+    }
+    return adaptions;
+}
+
 std::string check(const World& world) {
     const std::size_t count = world.vertex_count();
     if (world.velocities.size() != count || world.masses.size() != count ||

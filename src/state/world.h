@@ -49,6 +49,9 @@ struct World {
     std::span<const Vec3> velocities_of(const Cloth& cloth) const;
 };
 
+/// How often the mesh of each cloth has been adapted: other numbers, perhaps another mesh.
+std::vector<Index> adaptions_of(const World& world);
+
 /// What is wrong with a world (sizes, indices, values not finite), or "". For asserts and tests.
 std::string check(const World& world);
 
