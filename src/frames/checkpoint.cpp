@@ -1,6 +1,7 @@
 #include "frames/checkpoint.h"
 
 #include "base/hash.h"
+#include "frames/mesh_state.h"
 
 #include <fmt/core.h>
 #include <zstd.h>
@@ -16,7 +17,7 @@ static_assert(std::endian::native == std::endian::little, "checkpoints are littl
 namespace {
 
 constexpr std::array<char, 8> k_magic{'w', 'e', 'f', 't', 'c', 'k', 'p', 't'};
-constexpr std::uint32_t k_version = 3; ///< another layout of the payload: another version
+constexpr std::uint32_t k_version = 4; ///< another layout of the payload: another version
 constexpr int k_level = 1;             ///< positions hardly compress; higher levels only cost time
 
 /// Stands at the head of the file, no padding.
@@ -30,14 +31,16 @@ struct Header {
     std::uint64_t vertices = 0;
     std::uint64_t attached_pairs = 0;
     std::uint64_t contacts = 0; ///< entries of the contact memory
+    std::uint64_t mesh_bytes = 0;
     std::uint64_t compressed_bytes = 0;
     std::uint64_t checksum = 0; ///< of this header with 0 here, then the compressed bytes
 };
-static_assert(sizeof(Header) == 80);
+static_assert(sizeof(Header) == 88);
 
 constexpr std::size_t k_vertex_bytes = 4 * sizeof(Vec3);
 constexpr std::uint64_t k_most_vertices = 1ULL << 31; ///< an Index counts no further
 constexpr std::uint64_t k_most_contacts = 1ULL << 33;
+constexpr std::uint64_t k_most_mesh_bytes = 1ULL << 42;
 
 std::uint64_t checksum(Header header, std::string_view compressed) {
     header.checksum = 0;
@@ -63,6 +66,7 @@ std::string compress(const Checkpoint& checkpoint) {
                  checkpoint.attached_states.size() * sizeof(AttachedState));
     state.append(reinterpret_cast<const char*>(checkpoint.contact_memory.data()),
                  checkpoint.contact_memory.size() * sizeof(ContactMemory));
+    state.append(checkpoint.meshes);
     std::string compressed(ZSTD_compressBound(state.size()), '\0');
     const std::size_t bytes =
         ZSTD_compress(compressed.data(), compressed.size(), state.data(), state.size(), k_level);
@@ -75,7 +79,8 @@ bool decompress(std::string_view compressed, const Header& header, Checkpoint& o
     const std::size_t vertices = header.vertices;
     const std::size_t attached_bytes = header.attached_pairs * sizeof(AttachedState);
     const std::size_t contact_bytes = header.contacts * sizeof(ContactMemory);
-    std::string state(vertices * k_vertex_bytes + attached_bytes + contact_bytes, '\0');
+    const std::size_t sized = vertices * k_vertex_bytes + attached_bytes + contact_bytes;
+    std::string state(sized + header.mesh_bytes, '\0');
     const std::size_t bytes =
         ZSTD_decompress(state.data(), state.size(), compressed.data(), compressed.size());
     if (ZSTD_isError(bytes) || bytes != state.size()) {
@@ -96,6 +101,7 @@ bool decompress(std::string_view compressed, const Header& header, Checkpoint& o
         std::memcpy(static_cast<void*>(out.contact_memory.data()), source + attached_bytes,
                     contact_bytes);
     }
+    out.meshes = state.substr(sized);
     return true;
 }
 
@@ -115,11 +121,13 @@ Checkpoint make_checkpoint(const World& world, std::uint64_t scene_hash) {
             .previous_positions = world.previous_positions,
             .previous_velocities = world.previous_velocities,
             .attached_states = world.attached_states,
-            .contact_memory = world.contact_memory};
+            .contact_memory = world.contact_memory,
+            .meshes = encode_meshes(world)};
 }
 
 void restore(const Checkpoint& checkpoint, World& world) {
-    assert(checkpoint.positions.size() == world.vertex_count());
+    [[maybe_unused]] const std::string fault = decode_meshes(checkpoint.meshes, world);
+    assert(fault.empty());
     assert(checkpoint.attached_states.size() == world.attached_states.size());
     world.frame = checkpoint.frame;
     world.time = checkpoint.time;
@@ -142,6 +150,7 @@ std::string encode_checkpoint(const Checkpoint& checkpoint) {
     header.vertices = checkpoint.positions.size();
     header.attached_pairs = checkpoint.attached_states.size();
     header.contacts = checkpoint.contact_memory.size();
+    header.mesh_bytes = checkpoint.meshes.size();
     header.compressed_bytes = compressed.size();
     header.checksum = checksum(header, compressed);
     return std::string(reinterpret_cast<const char*>(&header), sizeof header) + compressed;
@@ -164,7 +173,8 @@ std::string decode_checkpoint(std::string_view bytes, Checkpoint& out) {
         return "truncated";
     }
     if (checksum(header, compressed) != header.checksum || header.vertices > k_most_vertices ||
-        header.attached_pairs > k_most_vertices || header.contacts > k_most_contacts) {
+        header.attached_pairs > k_most_vertices || header.contacts > k_most_contacts ||
+        header.mesh_bytes > k_most_mesh_bytes) {
         return "its checksum does not match";
     }
     out.scene_hash = header.scene_hash;

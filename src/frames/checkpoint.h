@@ -17,13 +17,14 @@ struct Checkpoint {
     std::vector<Vec3> positions, velocities, previous_positions, previous_velocities;
     std::vector<AttachedState> attached_states;
     std::vector<ContactMemory> contact_memory;
+    std::string meshes; ///< of adaptive cloths, see mesh_state.h
 };
 
 /// The moving part of a world.
 Checkpoint make_checkpoint(const World& world, std::uint64_t scene_hash);
 
-/// Puts the moving part back into a world that build_world made of the same scene (asserted by
-/// sizes; the hash tells).
+/// Puts the moving part back into a world made of the same scene, at its start (asserted by sizes;
+/// the hash tells).
 void restore(const Checkpoint& checkpoint, World& world);
 
 /// Bytes: magic, version, scene hash, sizes, checksum, then the state compressed by zstd. Equal
