@@ -8,6 +8,7 @@
 #include "frames/acceptance.h"
 #include "frames/status.h"
 #include "scene/scene_writer.h"
+#include "step/adapt_world.h"
 #include "step/start_overlap.h"
 
 #include <CLI/CLI.hpp>
@@ -91,6 +92,7 @@ ExitCode simulate_scene(const SimulateOptions& options, const Scene& scene) {
     if (!start(scene, world, options.time_limit, told)) {
         return ExitCode::Stopped;
     }
+    make_adaptive(world);
     const RunFolder folder(common.out, mode);
     open_log(common.verbosity(), folder.paths().log());
     spdlog::debug("weft {}: {} frames into {}", program_version(), scene.scene.frames,

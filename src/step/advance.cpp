@@ -5,9 +5,11 @@
 #include "base/stopwatch.h"
 #include "collide/crossings.h"
 #include "state/update_attachments.h"
+#include "step/adapt_world.h"
 #include "step/held.h"
 #include "step/implicit_step.h"
 #include "step/recover.h"
+#include "step/snapshot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,30 +37,9 @@ constexpr double k_greatest_motion = 0.25;
 /// part as well; fewer: impulses, which know nothing of the cloth's stiffness, do more of the work.
 constexpr int k_impact_solves = 4;
 
-/// What a frame can be taken back to.
-struct Snapshot {
-    double time, history_dt;
-    std::vector<Vec3> positions, velocities, previous_positions, previous_velocities;
-    std::vector<AttachedState> attached_states;
-    std::vector<ContactMemory> contact_memory;
-
-    explicit Snapshot(const World& world)
-        : time(world.time), history_dt(world.history_dt), positions(world.positions),
-          velocities(world.velocities), previous_positions(world.previous_positions),
-          previous_velocities(world.previous_velocities), attached_states(world.attached_states),
-          contact_memory(world.contact_memory) {}
-
-    void restore(World& world) const {
-        world.time = time;
-        world.history_dt = history_dt;
-        world.positions = positions;
-        world.velocities = velocities;
-        world.previous_positions = previous_positions;
-        world.previous_velocities = previous_velocities;
-        world.attached_states = attached_states;
-        world.contact_memory = contact_memory;
-    }
-};
+/// Time between adaptions of the meshes, s, in whole substeps. Longer: folds are there before the
+/// mesh that could show them; shorter: the same mesh, dearer.
+constexpr double k_adaption_interval = 0.02;
 
 void add_contact(ContactReport& total, const ContactReport& substep) {
     total.contacts_obstacle = std::max(total.contacts_obstacle, substep.contacts_obstacle);
@@ -105,7 +86,8 @@ bool moves_too_far(const World& world, std::span<const Vec3> end_positions) {
 
 struct Stepper::Impl {
     Impl(const World& world, const SceneParams& scene, const ContactParams& contact)
-        : scene(scene), implicit(world, scene), solver(world, contact), contact_params(contact) {}
+        : scene(scene), implicit(std::in_place, world, scene), solver(world, contact),
+          adaption(world), contact_params(contact), adaptions(adaptions_of(world)) {}
 
     bool substep(World& world, double dt, bool may_yield, FrameReport& report);
     void find_average_velocities(const World& world, double dt);
@@ -113,12 +95,17 @@ struct Stepper::Impl {
     void finish(World& world, double dt);
     void verify(const World& world, double time, FrameReport& report);
     void forget_arrivals(World& world, double dt) const;
+    void adapt(World& world, double time, FrameReport& report);
+    void follow_mesh(const World& world);
 
     SceneParams scene;
-    ImplicitStep implicit;
+    std::optional<ImplicitStep> implicit;
     ContactSolver solver;
+    WorldAdaption adaption;
     std::optional<WorldCrossings> crossings; ///< made when asked for
     ContactParams contact_params;
+    std::vector<Index> adaptions; ///< of each cloth's mesh, as it is known here
+    std::vector<ClothChanges> changes;
     HeldVertices held;
     std::vector<Contact> contacts, met;
     std::vector<Vec3> end_positions, end_velocities;       ///< as if nothing touched
@@ -132,7 +119,7 @@ bool Stepper::Impl::substep(World& world, double dt, bool may_yield, FrameReport
     // 4. proximities with friction, which act inside the step
     find_held(world, world.time + dt, held);
     solver.find_contacts(world, held.flags, dt, contacts);
-    ImplicitReport step = implicit.solve(world, held, dt, end_positions, end_velocities, contacts);
+    ImplicitReport step = implicit->solve(world, held, dt, end_positions, end_velocities, contacts);
     find_average_velocities(world, dt);
     solve_impacts(world, dt, step);
     report.cg_iterations += step.cg_iterations;
@@ -160,6 +147,32 @@ bool Stepper::Impl::substep(World& world, double dt, bool may_yield, FrameReport
     update_attachments(world, world.time + dt);
     verify(world, world.time + dt, report);
     return true;
+}
+
+/// 7. adapt the mesh: to what has just been reached.
+void Stepper::Impl::adapt(World& world, double time, FrameReport& report) {
+    const ScopedTime watch(report.seconds.adapt);
+    const AdaptionReport done = adaption.adapt(world, time, solver, changes);
+    adaptions = adaptions_of(world);
+    report.refined += done.refined;
+    report.coarsened += done.coarsened;
+    if (!done.changed) {
+        return;
+    }
+    implicit->adapt(world, changes);
+    solver.remesh(world, start_positions(world));
+    verify(world, time, report);
+}
+
+/// Takes up the mesh of a world that others have changed: one that is resumed, or taken back.
+void Stepper::Impl::follow_mesh(const World& world) {
+    if (adaptions == adaptions_of(world)) {
+        return;
+    }
+    adaptions = adaptions_of(world);
+    implicit.emplace(world, scene);
+    solver.remesh(world, start_positions(world));
+    adaption.reset(world);
 }
 
 /// Apart from contact itself, which it checks.
@@ -190,7 +203,7 @@ void Stepper::Impl::solve_impacts(const World& world, double dt, ImplicitReport&
             return;
         }
         contacts.insert(contacts.end(), met.begin(), met.end());
-        implicit.solve_again(world, held, end_positions, end_velocities, contacts, step);
+        implicit->solve_again(world, held, end_positions, end_velocities, contacts, step);
         find_average_velocities(world, dt);
     }
 }
@@ -276,6 +289,7 @@ void Stepper::verify_substeps(const World& world) {
 
 std::optional<FrameReport> Stepper::advance_frame(World& world,
                                                   const std::function<bool()>& should_stop) {
+    impl_->follow_mesh(world);
     const Snapshot start(world);
     const double frame_dt = 1.0 / impl_->scene.fps;
     const int base_substeps =
@@ -285,6 +299,9 @@ std::optional<FrameReport> Stepper::advance_frame(World& world,
     const double frame_start = (world.frame - 1) / impl_->scene.fps;
     const std::int64_t ticks_per_substep = std::int64_t{1} << k_most_halvings;
     const std::int64_t end = base_substeps * ticks_per_substep;
+    const std::int64_t adaption_ticks =
+        ticks_per_substep *
+        std::max<std::int64_t>(1, std::lround(k_adaption_interval * base_substeps / frame_dt));
 
     FrameReport report;
     int halvings = 0;
@@ -298,6 +315,9 @@ std::optional<FrameReport> Stepper::advance_frame(World& world,
         world.time = frame_start + frame_dt * static_cast<double>(tick) / static_cast<double>(end);
         if (impl_->substep(world, dt, halvings >= k_contact_halvings, report)) {
             tick += length;
+            if (tick % adaption_ticks == 0) {
+                impl_->adapt(world, world.time + dt, report);
+            }
             ++report.substeps;
             if (halvings > 0 && tick % (2 * length) == 0) {
                 --halvings; // only where the longer substep starts on its own grid

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "adapt/obstacle_curvature.h"
+#include "adapt/sqrt3_mesh.h"
+#include "collide/contact.h"
+
+#include <memory>
+#include <vector>
+
+namespace weft {
+
+/// Makes the meshes of all cloths that are to be refined adaptive. Of a world at t = 0, as it will
+/// start; triangles with an attached vertex stay as they are.
+void make_adaptive(World& world);
+
+/// What an adaption did.
+struct AdaptionReport {
+    int refined = 0, coarsened = 0; ///< vertices put in, and taken out
+    bool changed = false;           ///< any mesh
+};
+
+/// The end of a substep: refines and coarsens all adaptive cloths for what they do now, and carries
+/// the world's state over. Results depend on the world alone.
+class WorldAdaption {
+public:
+    /// @param world  at any time; the obstacles' shapes are those at t = 0
+    explicit WorldAdaption(const World& world);
+
+    /// @param time     of the world's state, s
+    /// @param contact  has just resolved the substep
+    /// @param changes  of each cloth
+    AdaptionReport adapt(World& world,
+                         double time,
+                         const ContactSolver& contact,
+                         std::vector<ClothChanges>& changes);
+
+    /// Forgets the meshes known: the world's are others now.
+    void reset(const World& world);
+
+private:
+    bool adapt_cloth(World& world,
+                     std::size_t index,
+                     double time,
+                     EditGuard* guard,
+                     ClothChanges& changes,
+                     AdaptionReport& report);
+
+    ObstacleCurvature obstacles_;
+    std::vector<std::unique_ptr<Sqrt3Mesh>> meshes_; ///< of each cloth; null: not adaptive
+    std::vector<double> near_curvature_, coarseness_;
+};
+
+/// Where the vertices of all deformables were at t = 0, #V, m; those of adaptive cloths as
+/// refinement remembers them, others where they are now.
+std::vector<Vec3> start_positions(const World& world);
+
+} // namespace weft

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "state/world.h"
+
+namespace weft {
+
+/// What a world can be taken back to within a frame: all that substeps change.
+class Snapshot {
+public:
+    explicit Snapshot(const World& world)
+        : time_(world.time), history_dt_(world.history_dt), positions_(world.positions),
+          velocities_(world.velocities), masses_(world.masses),
+          previous_positions_(world.previous_positions),
+          previous_velocities_(world.previous_velocities), contact_memory_(world.contact_memory),
+          cloths_(world.cloths), pins_(world.pins), attached_pairs_(world.attached_pairs),
+          attached_states_(world.attached_states) {}
+
+    void restore(World& world) const {
+        world.time = time_;
+        world.history_dt = history_dt_;
+        world.positions = positions_;
+        world.velocities = velocities_;
+        world.masses = masses_;
+        world.previous_positions = previous_positions_;
+        world.previous_velocities = previous_velocities_;
+        world.contact_memory = contact_memory_;
+        world.cloths = cloths_;
+        world.pins = pins_;
+        world.attached_pairs = attached_pairs_;
+        world.attached_states = attached_states_;
+    }
+
+private:
+    double time_, history_dt_;
+    std::vector<Vec3> positions_, velocities_;
+    std::vector<double> masses_;
+    std::vector<Vec3> previous_positions_, previous_velocities_;
+    std::vector<ContactMemory> contact_memory_;
+    std::vector<Cloth> cloths_;
+    std::vector<Pin> pins_;
+    std::vector<AttachedPair> attached_pairs_;
+    std::vector<AttachedState> attached_states_;
+};
+
+} // namespace weft
