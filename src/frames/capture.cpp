@@ -53,6 +53,8 @@ void measure_cloth(const World& world, const Cloth& cloth, FrameObject& object) 
          mean_curvatures(world.positions_of(cloth), cloth.triangles, cloth.topology)) {
         values_of(object, "curvature").push_back(static_cast<float>(curvature));
     }
+    values_of(object, "level") =
+        average([&](std::size_t t) { return triangle_level(cloth, static_cast<Index>(t)); });
     for (const Vec3& velocity : world.velocities_of(cloth)) {
         values_of(object, "speed").push_back(static_cast<float>(velocity.norm()));
     }

@@ -20,7 +20,7 @@ struct Quantity {
     double neutral; ///< where a diverging map has its middle
 };
 
-inline constexpr std::array<Quantity, 7> k_quantities{{
+inline constexpr std::array<Quantity, 8> k_quantities{{
     {"stretch", "principal stretch", "1", 0.9, 1.2, 1.0},
     {"strain_weft", "strain along weft", "%", -10.0, 10.0, 0.0},
     {"strain_warp", "strain along warp", "%", -10.0, 10.0, 0.0},
@@ -28,6 +28,7 @@ inline constexpr std::array<Quantity, 7> k_quantities{{
     {"stress", "largest tension", "N/m", 0.0, 100.0, 0.0},
     {"curvature", "mean curvature", "1/m", 0.0, 100.0, 0.0},
     {"speed", "speed", "m/s", 0.0, 2.0, 0.0},
+    {"level", "refinement level", "1", 0.0, 4.0, 0.0},
 }};
 
 /// Index into k_quantities, or -1.

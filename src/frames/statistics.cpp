@@ -19,7 +19,8 @@ constexpr std::string_view k_header =
     "contacts_obstacle,contacts_self,unresolved,min_gap_m,stretch_min,stretch_mean,stretch_p95,"
     "stretch_max,shear_max_deg,kinetic_J,membrane_J,bending_J,gravity_J,com_x_m,com_y_m,com_z_m,"
     "max_speed_m_s,state_hash,impacts,impact_zones,scaled_islands,"
-    "substeps_impacts,substeps_zones,substeps_scaled,attached_pairs,welded_pairs,attached_gap_m";
+    "substeps_impacts,substeps_zones,substeps_scaled,attached_pairs,welded_pairs,attached_gap_m,"
+    "level_0,level_1,level_2,level_3,level_4,level_5,level_6,level_7,level_8";
 
 /// A triangle's stretch and its share of the whole.
 struct Weighted {
@@ -60,6 +61,16 @@ private:
     std::string text_;
 };
 
+std::array<std::size_t, 9> count_levels(const World& world) {
+    std::array<std::size_t, 9> levels{};
+    for (const Cloth& cloth : world.cloths) {
+        for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
+            ++levels[static_cast<std::size_t>(triangle_level(cloth, static_cast<Index>(t)))];
+        }
+    }
+    return levels;
+}
+
 } // namespace
 
 std::string_view statistics_header() {
@@ -81,6 +92,9 @@ std::string statistics_row(const FrameStatistics& s) {
     row << contact.impacts << contact.zones << contact.scaled_islands << s.report.substeps_impacts
         << s.report.substeps_zones << s.report.substeps_scaled << s.attachments.pairs
         << s.attachments.welded << s.attachments.greatest_gap;
+    for (const std::size_t triangles : s.levels) {
+        row << triangles;
+    }
     return row.text();
 }
 
@@ -112,6 +126,16 @@ StrainStatistics measure_strain(const World& world) {
 
 Statistician::Statistician(const World& world, const SceneParams& scene)
     : gravity_(scene.gravity), fps_(scene.fps) {
+    follow_mesh(world);
+}
+
+void Statistician::follow_mesh(const World& world) {
+    if (!membranes_.empty() && adaptions_ == adaptions_of(world)) {
+        return;
+    }
+    adaptions_ = adaptions_of(world);
+    membranes_.clear();
+    bendings_.clear();
     for (const Cloth& cloth : world.cloths) {
         membranes_.emplace_back(cloth);
         bendings_.emplace_back(cloth);
@@ -142,12 +166,14 @@ MotionStatistics Statistician::measure_motion(const World& world) const {
 }
 
 FrameStatistics
-Statistician::measure(const World& world, const FrameReport& report, int crossings) const {
+Statistician::measure(const World& world, const FrameReport& report, int crossings) {
+    follow_mesh(world);
     return {.frame = world.frame,
             .time = frame_time(world.frame, fps_),
             .report = report,
             .vertices = world.vertex_count(),
             .triangles = world.triangle_count(),
+            .levels = count_levels(world),
             .crossings = crossings,
             .strain = measure_strain(world),
             .motion = measure_motion(world),

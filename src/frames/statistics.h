@@ -34,6 +34,7 @@ struct FrameStatistics {
     double time = 0.0;
     FrameReport report; ///< of the way to this frame; empty for the first
     std::size_t vertices = 0, triangles = 0;
+    std::array<std::size_t, 9> levels{}; ///< triangles of each level of refinement
     int crossings = 0; ///< pairs that cross, by the exact test: greatest of the frame's own and of
                        ///< the substeps' where those were verified
     StrainStatistics strain;
@@ -57,13 +58,16 @@ public:
 
     /// @param report    what advancing to this frame did
     /// @param crossings pairs of crossing triangles, see FrameStatistics
-    FrameStatistics measure(const World& world, const FrameReport& report, int crossings) const;
+    FrameStatistics measure(const World& world, const FrameReport& report, int crossings);
 
 private:
     MotionStatistics measure_motion(const World& world) const;
 
+    void follow_mesh(const World& world);
+
     Vec3 gravity_;
     double fps_;
+    std::vector<Index> adaptions_;            ///< of the meshes that the elements are of
     std::vector<MembraneElements> membranes_; ///< one a cloth
     std::vector<ConstantBending> bendings_;
 };

@@ -8,8 +8,8 @@ namespace weft {
 
 /// Words that the scene file knows and that rooms to the right give their meaning
 /// (frames/frame.h: k_quantities; render: colour maps). Tests hold both sides together.
-inline constexpr std::array<std::string_view, 7> k_quantity_names{
-    "stretch", "strain_weft", "strain_warp", "shear", "stress", "curvature", "speed"};
+inline constexpr std::array<std::string_view, 8> k_quantity_names{
+    "stretch", "strain_weft", "strain_warp", "shear", "stress", "curvature", "speed", "level"};
 inline constexpr std::array<std::string_view, 5> k_map_names{"seed", "coolwarm", "viridis", "turbo",
                                                              "cividis"};
 

@@ -26,4 +26,11 @@ struct Cloth {
     Refinement refinement;          ///< empty where the mesh does not adapt
 };
 
+/// Level of refinement of a triangle: 0 as imported, each higher one a third as large.
+inline int triangle_level(const Cloth& cloth, Index t) {
+    return cloth.refinement.empty()
+               ? 0
+               : level_of(cloth.refinement.triangles[static_cast<std::size_t>(t)].generation);
+}
+
 } // namespace weft

@@ -86,6 +86,16 @@ TEST(Capture, ShowsSpeed) {
     expect_all(capture(world), "speed", 5.0, 1e-6);
 }
 
+TEST(Capture, ShowsTheLevelOfRefinement) {
+    World world = test::grid_world(1.0, 2);
+    expect_all(capture(world), "level", 0.0, 0.0);
+
+    Cloth& cloth = world.cloths[0];
+    cloth.refinement.base_vertices = cloth.vertex_count;
+    cloth.refinement.triangles.assign(cloth.triangles.size(), {.generation = 3});
+    expect_all(capture(world), "level", 2.0, 1e-6);
+}
+
 /// A vertex that is a corner of one triangle only.
 Index lone_corner(const Cloth& cloth) {
     std::vector<int> triangles(static_cast<std::size_t>(cloth.vertex_count), 0);

@@ -8,6 +8,9 @@
 namespace weft {
 namespace {
 
+/// Of a vertex: x y z, u v, the quantities.
+constexpr std::size_t k_floats = 5 + k_quantities.size();
+
 FrameObject two_triangles() {
     FrameObject cloth;
     cloth.positions = {{0, 0, 0}, {1, 0, 0.25F}, {1, 1, 0}, {0, 1, -0.1F}};
@@ -63,10 +66,10 @@ TEST(Ply, LaysRowsOutAsItsHeaderSays) {
     const std::string bytes = encode_ply(two_triangles(), "c");
     const std::size_t body = body_begin(bytes);
 
-    float third_of_vertex_1 = 0; // x y z u v stretch .. = 12 floats a vertex
-    std::memcpy(&third_of_vertex_1, bytes.data() + body + (12 + 2) * 4, 4);
+    float third_of_vertex_1 = 0; // x y z u v stretch ..
+    std::memcpy(&third_of_vertex_1, bytes.data() + body + (k_floats + 2) * 4, 4);
 
-    EXPECT_EQ(bytes.size(), body + 4 * 12 * 4 + 2 * 13);
+    EXPECT_EQ(bytes.size(), body + 4 * k_floats * 4 + 2 * 13);
     EXPECT_EQ(third_of_vertex_1, 0.25F);
     EXPECT_NE(bytes.find("property float u\nproperty float v\nproperty float stretch\n"),
               std::string::npos);
@@ -91,7 +94,7 @@ TEST(Ply, RefusesAVertexIndexOutOfRange) {
 TEST(Ply, RefusesCoordinatesThatAreNotFinite) {
     std::string bytes = encode_ply(two_triangles(), "c");
     const float infinite = std::numeric_limits<float>::infinity();
-    std::memcpy(bytes.data() + body_begin(bytes) + 2 * 12 * 4, &infinite, 4);
+    std::memcpy(bytes.data() + body_begin(bytes) + 2 * k_floats * 4, &infinite, 4);
 
     EXPECT_EQ(message_of(bytes), "a.ply: vertex 2: its coordinates are not finite");
 }

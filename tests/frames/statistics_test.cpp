@@ -117,7 +117,7 @@ TEST(Statistics, AreTheSameTextForAnyThreadCount) {
     for (std::size_t i = 0; i < world.vertex_count(); ++i) {
         world.positions[i].y() = 0.01 * std::sin(0.37 * static_cast<double>(i));
     }
-    const Statistician statistician(world, {});
+    Statistician statistician(world, {});
 
     set_thread_count(1);
     const std::string one = statistics_row(statistician.measure(world, {}, 0));
