@@ -10,10 +10,10 @@ namespace weft {
 
 namespace {
 
-/// After so many altered elements, as a multiple of all, everything is made anew: what is read
-/// one after the other has scattered by then. Smaller: it costs more than it brings; larger:
-/// assembly takes a third longer in the end.
-constexpr double k_greatest_wear = 1.0;
+/// After so many rows listed anew, as a multiple of all, everything is made anew: what is read one
+/// after the other has scattered by then. Smaller: it costs more than it brings; larger: assembly
+/// takes a third longer in the end.
+constexpr double k_greatest_wear = 2.0;
 
 std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
@@ -31,7 +31,7 @@ void Assembler::build(std::span<const ElementSet> sets) {
            std::numeric_limits<std::uint32_t>::max() / 2);
     sources_.build(rooms_, sets);
     order_rows();
-    sources_.number_pairs(rooms_, sets, site_of_row_, row_of_site_);
+    sources_.build_pairs(rooms_, sets, site_of_row_);
     find_places();
 }
 
@@ -39,8 +39,8 @@ void Assembler::update(std::span<const VertexRange> objects,
                        std::span<const ElementSet> sets,
                        std::span<const std::vector<Index>> changed) {
     assert(changed.size() == sets.size());
-    const double wear = static_cast<double>(sources_.altered_count()) /
-                        static_cast<double>(rooms_.element_count() + 1);
+    const double wear =
+        static_cast<double>(sources_.changed_rows()) / static_cast<double>(site_of_row_.size() + 1);
     if (!rooms_.fit(objects, sets) || wear > k_greatest_wear) {
         build(sets);
         return;

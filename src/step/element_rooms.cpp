@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
 
 namespace weft {
 
@@ -62,11 +61,6 @@ void ElementRooms::lay_out() {
 
 std::size_t ElementRooms::vertex_count() const {
     return objects_.empty() ? 0 : objects_.back().first + objects_.back().count;
-}
-
-std::size_t ElementRooms::element_count() const {
-    return std::accumulate(sets_.begin(), sets_.end(), std::size_t{0},
-                           [](std::size_t sum, const Set& set) { return sum + set.count; });
 }
 
 std::size_t ElementRooms::site_of(Index vertex) const {

@@ -55,7 +55,6 @@ public:
     std::span<const Set> sets() const { return sets_; }
     std::span<const Object> objects() const { return objects_; }
     std::size_t vertex_count() const;
-    std::size_t element_count() const;
     std::size_t site_count() const { return site_count_; } ///< room for vertices
     std::size_t force_count() const { return force_count_; }
     std::size_t block_count() const { return block_count_; } ///< of the sets that are not constant

@@ -8,8 +8,9 @@
 namespace weft {
 
 /// Which elements' forces sum into which vertex, and which elements' blocks into which block of the
-/// matrix. It is changed element by element; lists are always in the order of the elements, so that
-/// they are the same for the same elements, however these have come about.
+/// matrix. Lists are always in the order of the elements, so that they are the same for the same
+/// elements, however these have come about. When elements change, the rows of their vertices are
+/// listed anew and no others: a block can only change where both its vertices are touched.
 ///
 /// A pair is two vertices, or one and itself, that an element joins: two blocks of the matrix that
 /// are each other's transpose, or one on the diagonal. Each has a number, which is used again when
@@ -21,17 +22,14 @@ public:
         bool operator<(const Neighbour& other) const { return site < other.site; }
     };
 
-    /// Lists of all elements, made anew, but pairs have no numbers yet.
+    /// Forces and neighbours of all elements, made anew, but pairs have no numbers yet.
     void build(const ElementRooms& rooms, std::span<const ElementSet> sets);
 
-    /// Numbers the pairs as they come along the rows of an upper triangle, row after row, and lists
-    /// what sums into them.
+    /// Numbers the pairs row after row and lists what sums into them.
     /// @param sites of the rows
-    /// @param row_of_site its inverse
-    void number_pairs(const ElementRooms& rooms,
-                      std::span<const ElementSet> sets,
-                      std::span<const Index> sites,
-                      std::span<const Index> row_of_site);
+    void build_pairs(const ElementRooms& rooms,
+                     std::span<const ElementSet> sets,
+                     std::span<const Index> sites);
 
     /// Changes elements for those that the sets have now in rooms that have not moved since.
     /// @param changed slots of each set, new ones included, without those that are gone
@@ -39,8 +37,8 @@ public:
                 std::span<const ElementSet> sets,
                 std::span<const std::vector<Index>> changed);
 
-    /// Elements that other nodes were given, or that came or went, since all was made anew.
-    std::size_t altered_count() const { return altered_count_; }
+    /// Rows listed anew since all was built.
+    std::size_t changed_rows() const { return changed_rows_; }
 
     /// Neighbours of a vertex by ascending site, itself among them.
     std::span<const Neighbour> neighbours(std::size_t site) const { return neighbours_[site]; }
@@ -57,47 +55,43 @@ public:
     double constant(std::size_t pair) const { return constant_[pair]; }
 
 private:
-    /// An element some of whose nodes are others than before.
-    struct Altered {
-        Index slot;
-        unsigned moved; ///< bit k: node k
-    };
-
-    void find_nodes(const ElementRooms& rooms, std::span<const ElementSet> sets);
+    void list_nodes(const ElementRooms& rooms, std::span<const ElementSet> sets);
     void list_forces(const ElementRooms& rooms);
     void list_neighbours(const ElementRooms& rooms);
-    void list_blocks(const ElementRooms& rooms, bool constant, ListPool<std::uint32_t>& lists);
-    void sum_constants(const ElementRooms& rooms, std::span<const ElementSet> sets, Index pair);
-    void take_out(const ElementRooms::Set& set, std::size_t slot, unsigned moved);
-    void put_in(const ElementRooms::Set& set, std::size_t slot, unsigned moved);
-    Index pair_of(std::size_t site_a, std::size_t site_b) const;
-    Index join(std::size_t site_a, std::size_t site_b);
-    void part(Index pair);
-    void touch(Index pair);
-    void take_out_altered(const ElementRooms& rooms,
-                          std::span<const ElementSet> sets,
-                          std::span<const std::vector<Index>> changed);
-    void add_and_remove_vertices(const ElementRooms& rooms);
-    void settle_touched(const ElementRooms& rooms, std::span<const ElementSet> sets);
-    std::span<Index> nodes_of(const ElementRooms::Set& set, std::size_t slot) {
-        return {&nodes_[set.force_begin + slot * set.nodes_per_element], set.nodes_per_element};
-    }
+    template <typename F>
+    void for_each_element(const ElementRooms& rooms, std::size_t site, const F& f) const;
+    void find_neighbours(const ElementRooms& rooms, std::size_t site);
+    void list_row(const ElementRooms& rooms, std::span<const ElementSet> sets, std::size_t site);
+
+    void touch(Index site);
+    void change_nodes(const ElementRooms& rooms, const ElementSet& set, std::size_t s, Index slot);
+    void remove_nodes(const ElementRooms& rooms, std::size_t s, std::size_t slot);
+    void touch_vertices(const ElementRooms& rooms);
+    void change_neighbours(const ElementRooms& rooms, std::size_t site);
+    void join(std::size_t site_a, std::size_t site_b);
+    void part(std::size_t site, const Neighbour& neighbour);
     void keep_counts(const ElementRooms& rooms);
 
-    std::size_t altered_count_ = 0;
     std::vector<std::size_t> element_counts_; ///< by set, what the lists hold
     std::vector<std::size_t> vertex_counts_;  ///< by object
-    std::vector<Index> nodes_;          ///< sites of each element's nodes, as element forces stand
-    ListPool<std::uint32_t> forces_;    ///< by site
-    ListPool<Neighbour> neighbours_;    ///< by site
-    ListPool<std::uint32_t> blocks_;    ///< by pair
-    ListPool<std::uint32_t> constants_; ///< by pair, as blocks, in the array of constant blocks
-    std::vector<double> constant_;      ///< by pair
-    std::vector<std::array<Index, 2>> sites_;   ///< of each pair, the lower one first
-    std::vector<Index> free_;                   ///< numbers of pairs that are gone
-    std::vector<Index> touched_;                ///< pairs whose lists a change altered
-    std::vector<char> is_touched_;              ///< by pair
-    std::vector<std::vector<Altered>> altered_; ///< by set, during a change
+    std::vector<Index> nodes_;       ///< sites of each element's nodes, as element forces stand
+    ListPool<std::uint32_t> forces_; ///< by site
+    ListPool<Neighbour> neighbours_; ///< by site
+    ListPool<std::uint32_t> blocks_; ///< by pair
+    std::vector<double> constant_;   ///< by pair
+    std::vector<Index> free_;        ///< numbers of pairs that are gone
+    std::vector<char> is_present_;   ///< by site: a vertex stands there
+    std::vector<Index> touched_;     ///< sites whose rows are to be listed anew
+    std::vector<char> is_touched_;   ///< by site
+    std::size_t changed_rows_ = 0;
+
+    // while a row is listed
+    std::vector<Index> found_;        ///< sites of its neighbours
+    std::vector<std::uint32_t> mark_; ///< by site: of the row in which it was found
+    std::uint32_t last_mark_ = 0;
+    std::vector<Neighbour> old_row_;
+    std::vector<std::uint32_t> place_;                   ///< by site: which neighbour it is
+    std::vector<std::vector<std::uint32_t>> row_blocks_; ///< by neighbour
 };
 
 } // namespace weft
