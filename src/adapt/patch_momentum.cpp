@@ -12,6 +12,10 @@ namespace {
 /// Share of the greatest principal inertia below which a direction has none: vertices in a line.
 constexpr double k_least_inertia = 1e-9;
 
+/// Share of a patch's distance from the origin below which its width is rounding: vertices in a
+/// point.
+constexpr double k_least_width = 1e-12;
+
 /// A rigid motion about a centre.
 struct RigidMotion {
     Vec3 centre, velocity, spin;
@@ -28,12 +32,12 @@ Mat3 inertia_about(const Vec3& centre, std::span<const double> m, std::span<cons
     return inertia;
 }
 
-/// Spin of least size with inertia * spin = angular, where there is inertia.
-Vec3 solve_spin(const Mat3& inertia, const Vec3& angular) {
+/// Spin of least size with inertia * spin = angular, where there is more inertia than `least`.
+Vec3 solve_spin(const Mat3& inertia, double least, const Vec3& angular) {
     const Eigen::SelfAdjointEigenSolver<Mat3> axes(inertia);
     Vec3 spin = Vec3::Zero();
     for (Eigen::Index k = 0; k < 3; ++k) {
-        if (axes.eigenvalues()[k] > k_least_inertia * axes.eigenvalues()[2]) {
+        if (axes.eigenvalues()[k] > std::max(least, k_least_inertia * axes.eigenvalues()[2])) {
             const Vec3 axis = axes.eigenvectors().col(k);
             spin += axis.dot(angular) / axes.eigenvalues()[k] * axis;
         }
@@ -77,8 +81,9 @@ void restore_momentum(const PatchMomentum& before,
         centre += m[i] / now.mass * x[i];
     }
     const Mat3 inertia = inertia_about(centre, m, x);
+    const double least_inertia = now.mass * k_least_width * k_least_width * centre.squaredNorm();
     const auto spin_of = [&](const PatchMomentum& momentum) {
-        return solve_spin(inertia, momentum.angular - centre.cross(momentum.linear));
+        return solve_spin(inertia, least_inertia, momentum.angular - centre.cross(momentum.linear));
     };
     const PatchMomentum missing{0.0, before.linear - now.linear, before.angular - now.angular, 0.0};
     const RigidMotion correction{centre, missing.linear / now.mass, spin_of(missing)};

@@ -19,8 +19,9 @@ struct PatchMomentum {
 
 /// Changes velocities (m/s) of vertices at x (m) with masses m (kg) as little as it takes for their
 /// linear and angular momentum to be those of `before`; then lowers what is not a rigid motion
-/// until the kinetic energy is no greater than before. Angular momentum along directions in which
-/// the vertices have all but no inertia is left as it is.
+/// until the kinetic energy is no greater than before, as far as that goes: masses that came nearer
+/// to the axis of a spin turn faster, or lose angular momentum. Angular momentum along directions
+/// in which the vertices have all but no inertia is left as it is.
 void restore_momentum(const PatchMomentum& before,
                       std::span<const double> m,
                       std::span<const Vec3> x,

@@ -10,6 +10,11 @@ namespace weft {
 
 namespace {
 
+/// Steps across edges by which a patch of changed triangles is grown before its momenta are
+/// restored. Fewer: what few vertices lose of inertia turns them visibly; more: what is lost in one
+/// place moves others.
+constexpr int k_patch_steps = 4;
+
 std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
 }
@@ -36,6 +41,29 @@ public:
 private:
     std::vector<Index> parents_;
 };
+
+/// The triangles given and those around them, the order of no meaning.
+std::vector<Index> grow(const Cloth& cloth, std::vector<Index> triangles) {
+    std::vector<char> is_in(cloth.triangles.size(), 0);
+    for (const Index t : triangles) {
+        is_in[at(t)] = 1;
+    }
+    std::size_t begin = 0;
+    for (int step = 0; step < k_patch_steps; ++step) {
+        const std::size_t end = triangles.size();
+        for (; begin < end; ++begin) {
+            for (const Index e : cloth.topology.triangle_edges[at(triangles[begin])]) {
+                for (const Index t : cloth.topology.edges[at(e)].triangle) {
+                    if (t != k_no_index && is_in[at(t)] == 0) {
+                        is_in[at(t)] = 1;
+                        triangles.push_back(t);
+                    }
+                }
+            }
+        }
+    }
+    return triangles;
+}
 
 } // namespace
 
@@ -123,11 +151,11 @@ void StateTransfer::set_masses(const Cloth& cloth, const ClothChanges& changes) 
     }
 }
 
-/// Each connected set of changed triangles on its own.
+/// Each connected set of triangles around changed ones on its own.
 void StateTransfer::correct_velocities(const Cloth& cloth, const ClothChanges& changes) {
     DisjointSets patches(states_.size());
     std::vector<Index> touched;
-    for (const Index t : changes.triangles) {
+    for (const Index t : grow(cloth, changes.triangles)) {
         const Triangle& corners = cloth.triangles[at(t)];
         patches.join(corners[0], corners[1]);
         patches.join(corners[1], corners[2]);

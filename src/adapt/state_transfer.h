@@ -15,8 +15,8 @@ namespace weft {
 /// A vertex put in stands, and moves, where the surface did: at the weighted mean of its parents,
 /// in the history that BDF2 needs as well; it is pinned when all its parents are, by one pin. A
 /// vertex taken out leaves its momentum. Lumped masses change around all that is edited; then each
-/// connected patch of changed triangles gets back the linear and angular momentum that it had, and
-/// no kinetic energy (methods: "State transfer and conservation").
+/// connected patch of changed triangles, with some more around it, gets back the linear and angular
+/// momentum that it had.
 class StateTransfer {
 public:
     StateTransfer(const World& world, const Cloth& cloth);

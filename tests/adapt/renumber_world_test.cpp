@@ -1,0 +1,119 @@
+#include "adapt/renumber_world.h"
+#include "support/adapting_world.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace weft {
+namespace {
+
+using test::AdaptingWorld;
+using test::SheetMotion;
+
+/// A vertex as the world names it, by its own name; those of obstacles, which stand behind all
+/// others, by their number there.
+int name_of(const World& world, const std::vector<int>& names, Index v) {
+    const auto i = static_cast<std::size_t>(v);
+    return v == k_no_index            ? -1
+           : i < world.vertex_count() ? names[i]
+                                      : 1000000 + v - static_cast<Index>(world.vertex_count());
+}
+
+using NamedPair = std::array<int, 4>;
+
+std::map<NamedPair, double> named_memory(const World& world, const std::vector<int>& names) {
+    std::map<NamedPair, double> memory;
+    for (const ContactMemory& one : world.contact_memory) {
+        NamedPair pair;
+        std::transform(one.pair.begin(), one.pair.end(), pair.begin(),
+                       [&](Index v) { return name_of(world, names, v); });
+        memory[pair] = one.rest;
+    }
+    return memory;
+}
+
+std::vector<std::array<int, 6>> named_pairs(const World& world, const std::vector<int>& names) {
+    std::vector<std::array<int, 6>> pairs;
+    for (const AttachedPair& pair : world.attached_pairs) {
+        std::transform(pair.vertices.begin(), pair.vertices.end(), pairs.emplace_back().begin(),
+                       [&](Index v) { return name_of(world, names, v); });
+    }
+    return pairs;
+}
+
+/// Adapts first and last cloth in turn; looks at each with the world and the names before.
+template <typename Look> void adapt_in_turn(unsigned seeds, const Look& look) {
+    for (unsigned seed = 0; seed < seeds; ++seed) {
+        AdaptingWorld sheets(SheetMotion::Wave, seed);
+        for (int i = 0; i < 12; ++i) {
+            const World before = sheets.world;
+            const std::vector<int> names = sheets.names();
+            sheets.adapt(i % 2 == 0 ? 0 : 2, 30, i < 6 ? 0.8 : 0.3);
+            look(sheets, before, names);
+        }
+    }
+}
+
+TEST(RenumberWorld, AttachedPairsNameTheSamePoints) {
+    adapt_in_turn(5, [](const AdaptingWorld& sheets, const World& before, const auto& names) {
+        EXPECT_EQ(named_pairs(sheets.world, sheets.names()), named_pairs(before, names));
+    });
+}
+
+TEST(RenumberWorld, ContactRemembersTheSamePointsAndForgetsWhatIsGone) {
+    std::size_t forgotten = 0;
+    adapt_in_turn(10, [&](AdaptingWorld& sheets, const World& before, const auto& old_names) {
+        const std::vector<int> names = sheets.names();
+        auto kept = named_memory(before, old_names);
+        forgotten += std::erase_if(kept, [&](const auto& one) {
+            return std::any_of(one.first.begin(), one.first.end(), [&](int name) {
+                return name < 1000000 && std::find(names.begin(), names.end(), name) == names.end();
+            });
+        });
+
+        EXPECT_EQ(named_memory(sheets.world, names), kept);
+        const auto& memory = sheets.world.contact_memory;
+        EXPECT_TRUE(std::is_sorted(memory.begin(), memory.end(),
+                                   [](const auto& a, const auto& b) { return a.pair < b.pair; }));
+        // what is put in now is remembered from now on
+        const auto last = static_cast<Index>(sheets.world.vertex_count()) - 1;
+        const ContactMemory newest{{last, last + 1, last + 2, last + 3}, 1.0, Vec3::Zero(), 0};
+        if (named_memory(sheets.world, names).size() == memory.size()) {
+            sheets.world.contact_memory.push_back(newest);
+        }
+    });
+    EXPECT_GT(forgotten, 0u);
+}
+
+TEST(RenumberWorld, ClothsStandOneBehindTheOther) {
+    adapt_in_turn(3, [](const AdaptingWorld& sheets, const World&, const auto&) {
+        const World& world = sheets.world;
+        Index next = 0;
+        for (const Cloth& cloth : world.cloths) {
+            EXPECT_EQ(cloth.first_vertex, next);
+            next += cloth.vertex_count;
+        }
+        EXPECT_EQ(static_cast<std::size_t>(next), world.vertex_count());
+        EXPECT_EQ(check(world), "");
+    });
+}
+
+TEST(RenumberWorld, VerticesOfOtherClothsKeepTheirValues) {
+    adapt_in_turn(3, [](const AdaptingWorld& sheets, const World& before, const auto&) {
+        const Cloth& old_plain = before.cloths[1];
+        const Cloth& plain = sheets.world.cloths[1];
+        for (Index v = 0; v < plain.vertex_count; ++v) {
+            const auto i = static_cast<std::size_t>(plain.first_vertex + v);
+            const auto old = static_cast<std::size_t>(old_plain.first_vertex + v);
+            EXPECT_EQ(sheets.world.positions[i], before.positions[old]);
+            EXPECT_EQ(sheets.world.velocities[i], before.velocities[old]);
+            EXPECT_EQ(sheets.world.previous_positions[i], before.previous_positions[old]);
+            EXPECT_EQ(sheets.world.previous_velocities[i], before.previous_velocities[old]);
+            EXPECT_EQ(sheets.world.masses[i], before.masses[old]);
+        }
+    });
+}
+
+} // namespace
+} // namespace weft
