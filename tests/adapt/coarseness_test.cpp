@@ -1,0 +1,148 @@
+#include "adapt/coarseness.h"
+#include "support/sheets.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace weft {
+namespace {
+
+/// A sheet that stands and moves under maps of its plane, and one criterion to look at it with.
+struct Looked {
+    Cloth cloth;
+    std::vector<Vec3> x, v;
+    std::vector<double> near, coarseness;
+
+    using Map = std::function<Vec3(const Vec2&)>;
+    Looked(const Sheet& sheet, const AdaptParams& adapt, const Map& place, const Map& velocity)
+        : cloth(test::cloth_of(sheet)), x(test::placed(sheet, place)),
+          v(test::placed(sheet, velocity)) {
+        cloth.params.adapt = adapt;
+        look();
+    }
+    void look() { find_coarseness(cloth, x, v, near, coarseness); }
+};
+
+constexpr AdaptParams k_curvature{.levels = 4, .curvature = 0.1, .compression = 0.0};
+constexpr AdaptParams k_compression{.levels = 4, .curvature = 0.0, .compression = 0.02};
+constexpr AdaptParams k_velocity{
+    .levels = 4, .curvature = 0.0, .compression = 0.0, .velocity = 0.5};
+
+Vec3 at_rest(const Vec2&) {
+    return Vec3::Zero();
+}
+Vec3 flat(const Vec2& u) {
+    return {u.x(), 0.0, -u.y()};
+}
+
+int boundary_sides(const Cloth& cloth, std::size_t t) {
+    const auto& sides = cloth.topology.triangle_edges[t];
+    return static_cast<int>(std::count_if(sides.begin(), sides.end(), [&](Index e) {
+        return cloth.topology.edges[static_cast<std::size_t>(e)].is_boundary();
+    }));
+}
+
+TEST(Coarseness, OfACylinderIsItsSizeOverTwoRadiiOverTheLimit) {
+    const double radius = 0.5;
+    const Sheet sheet = equilateral_sheet(20, 20, 0.02);
+    const Looked looked(
+        sheet, k_curvature,
+        [&](const Vec2& u) {
+            const double angle = u.x() / radius;
+            return Vec3(radius * std::sin(angle), radius * std::cos(angle), u.y());
+        },
+        at_rest);
+
+    for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
+        if (boundary_sides(looked.cloth, t) > 1) {
+            continue; // a corner of the sheet: it takes what its neighbour sees in one direction
+        }
+        const double size = std::sqrt(looked.cloth.rest[t].area);
+        const double expected = size / (2.0 * radius) / 0.1;
+        EXPECT_NEAR(looked.coarseness[t], expected, 0.02 * expected);
+    }
+}
+
+TEST(Coarseness, IsNothingOnAFlatSheetThatMovesAsARigidBody) {
+    const Mat3 turn = Eigen::AngleAxisd(0.7, Vec3(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
+    const Sheet sheet = irregular_sheet(8, 8, 1.0, 1.0, 0.25, 3);
+    const Looked looked(
+        sheet, {.levels = 4, .curvature = 0.1, .compression = 0.02, .velocity = 0.0},
+        [&](const Vec2& u) { return Vec3(turn * flat(u) + Vec3(1.0, 2.0, 3.0)); },
+        [](const Vec2&) { return Vec3(5.0, 0.0, 1.0); });
+
+    EXPECT_LT(*std::max_element(looked.coarseness.begin(), looked.coarseness.end()), 1e-9);
+}
+
+TEST(Coarseness, OfCompressionIsWhatTheLesserStretchLacks) {
+    const Sheet sheet = irregular_sheet(5, 5, 1.0, 1.0, 0.25, 4);
+    for (const double along : {1.2, 1.0, 0.97}) {
+        for (const double across : {0.9, 0.99, 1.1}) {
+            const Mat3 turn = Eigen::AngleAxisd(1.1, Vec3::UnitX()).toRotationMatrix();
+            const Eigen::Rotation2Dd oblique(0.4);
+            const Looked looked(
+                sheet, k_compression,
+                [&](const Vec2& u) {
+                    const Vec2 w = oblique * u;
+                    return Vec3(turn * Vec3(along * w.x(), across * w.y(), 0.0));
+                },
+                at_rest);
+
+            const double expected = std::max(0.0, 1.0 - std::min(along, across)) / 0.02;
+            for (const double found : looked.coarseness) {
+                EXPECT_NEAR(found, expected, 1e-9);
+            }
+        }
+    }
+}
+
+TEST(Coarseness, OfVelocityIsItsGreatestDifferenceAlongAnEdge) {
+    const Sheet sheet = union_jack_sheet(4, 4, 1.0, 1.0); // edges of 0.25 m, and diagonals
+    const Looked sheared(sheet, k_velocity, flat,
+                         [](const Vec2& u) { return Vec3(0.0, 3.0 * u.x(), 0.0); });
+    const Looked growing(sheet, k_velocity, flat,
+                         [](const Vec2& u) { return Vec3(2.0 * u.x(), 0.0, 2.0 * u.y()); });
+    const Looked moving(sheet, k_velocity, flat, [](const Vec2&) { return Vec3(1.0, 9.0, 2.0); });
+
+    for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
+        EXPECT_NEAR(sheared.coarseness[t], 3.0 * 0.25 / 0.5, 1e-12);
+        EXPECT_NEAR(growing.coarseness[t], 2.0 * 0.25 * std::sqrt(2.0) / 0.5, 1e-12);
+        EXPECT_EQ(moving.coarseness[t], 0.0);
+    }
+}
+
+TEST(Coarseness, IsTheGreatestOfAllCriteria) {
+    const Sheet sheet = union_jack_sheet(4, 4, 1.0, 1.0);
+    const auto squeezed = [](const Vec2& u) { return Vec3(0.95 * u.x(), 0.0, u.y()); };
+    const auto sheared = [](const Vec2& u) { return Vec3(0.0, 3.0 * u.x(), 0.0); };
+    AdaptParams all = k_compression;
+    all.velocity = k_velocity.velocity;
+
+    const Looked compression(sheet, k_compression, squeezed, sheared);
+    const Looked velocity(sheet, k_velocity, squeezed, sheared);
+    const Looked both(sheet, all, squeezed, sheared);
+
+    for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
+        EXPECT_EQ(both.coarseness[t], std::max(compression.coarseness[t], velocity.coarseness[t]));
+    }
+}
+
+TEST(Coarseness, CountsTheObstacleNearbyAsItsOwnCurvature) {
+    const Sheet sheet = union_jack_sheet(4, 4, 1.0, 1.0);
+    Looked looked(sheet, k_curvature, flat, at_rest);
+    looked.near.assign(sheet.points.size(), 0.0);
+    looked.near[12] = 5.0; // 1/m, at the middle
+
+    looked.look();
+
+    for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
+        const Triangle& corners = sheet.triangles[t];
+        const bool is_near = std::find(corners.begin(), corners.end(), 12) != corners.end();
+        const double size = std::sqrt(looked.cloth.rest[t].area);
+        EXPECT_NEAR(looked.coarseness[t], is_near ? 5.0 * size / 0.1 : 0.0, 1e-9);
+    }
+}
+
+} // namespace
+} // namespace weft
