@@ -101,6 +101,24 @@ TEST(Assembler, WhatIsGoneLeavesNothingBehind) {
     EXPECT_EQ(assembler.pattern().row_begin[row + 1] - assembler.pattern().row_begin[row], 1);
 }
 
+TEST(Assembler, OtherConstantsBetweenTheSameNodesAreTakenUp) {
+    const std::vector<VertexRange> objects{{0, 5}};
+    std::vector<double> constants{1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0};
+    const std::vector<ElementSet> sets{{3, k_triangles, 0, true, constants}};
+    Assembler assembler(objects, sets);
+    constants[7] = 80.0; // of vertices 2 and 1
+
+    assembler.update(objects, sets, std::vector<std::vector<Index>>{{1}});
+
+    BlockMatrix matrix = assembler.pattern();
+    const std::vector<double> nothing(5, 0.0);
+    assembler.assemble({}, 0.5, nothing, matrix);
+    EXPECT_EQ(block_at(matrix, assembler.row_of_vertex(), 1, 2),
+              Mat3(0.5 * (5.0 + 80.0) * Mat3::Identity()));
+    EXPECT_EQ(block_at(matrix, assembler.row_of_vertex(), 0, 1),
+              Mat3(0.5 * 2.0 * Mat3::Identity()));
+}
+
 TEST(ElementRooms, StayWhileTheirContentFits) {
     const std::vector<Index> nodes(60, 0);
     const auto set_of = [&](std::size_t elements) {
