@@ -15,7 +15,7 @@ double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
 } // namespace
 
 CgReport ConjugateGradient::solve(const BlockMatrix& matrix,
-                                  IncompleteCholesky& preconditioner,
+                                  const Precondition& precondition,
                                   std::span<const Vec3> b,
                                   std::span<Vec3> x,
                                   const CgParams& params) {
@@ -34,7 +34,7 @@ CgReport ConjugateGradient::solve(const BlockMatrix& matrix,
 
     multiply(matrix, x, residual_);
     parallel_for(n, [&](std::size_t i) { residual_[i] = b[i] - residual_[i]; });
-    preconditioner.apply(residual_, preconditioned_);
+    precondition(residual_, preconditioned_);
     direction_ = preconditioned_;
     double r_z = dot(residual_, preconditioned_);
     double r_r = dot(residual_, residual_);
@@ -56,7 +56,7 @@ CgReport ConjugateGradient::solve(const BlockMatrix& matrix,
             residual_[i] -= alpha * product_[i];
             return residual_[i].squaredNorm();
         });
-        preconditioner.apply(residual_, preconditioned_);
+        precondition(residual_, preconditioned_);
         const double r_z_next = dot(residual_, preconditioned_);
         const double beta = r_z_next / r_z;
         r_z = r_z_next;

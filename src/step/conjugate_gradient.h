@@ -1,7 +1,8 @@
 #pragma once
 
 #include "step/block_matrix.h"
-#include "step/preconditioner.h"
+
+#include <functional>
 
 namespace weft {
 
@@ -18,13 +19,16 @@ struct CgReport {
     bool converged = false;
 };
 
+/// z ~ A^-1 r, symmetric and positive.
+using Precondition = std::function<void(std::span<const Vec3> r, std::span<Vec3> z)>;
+
 /// Preconditioned conjugate gradients for symmetric positive definite systems; sums in a fixed
 /// order. Keeps its vectors between calls.
 class ConjugateGradient {
 public:
     /// Solves A x = b from the given x. Not finite or indefinite systems return converged = false.
     CgReport solve(const BlockMatrix& matrix,
-                   IncompleteCholesky& preconditioner,
+                   const Precondition& precondition,
                    std::span<const Vec3> b,
                    std::span<Vec3> x,
                    const CgParams& params);

@@ -27,6 +27,9 @@ constexpr double k_little = 0.5;
 constexpr double k_least_forcing = 0.03;
 constexpr double k_greatest_forcing = 0.3;
 
+/// Iterations without the coarse space. A solve that ends within them would not pay for it.
+constexpr int k_fine_iterations = 24;
+
 /// A full Newton change is taken when the slope of the potential has fallen to this share.
 constexpr double k_slope_share = 0.1;
 constexpr int k_most_cuts = 40;
@@ -51,6 +54,7 @@ void ContactNewton::reset() {
     coupled_.reset();
     preconditioner_.reset();
     revision_ = -1;
+    is_coarse_cut_ = false;
 }
 
 /// imbalance_ = residual + beta f_contact; returns its norm.
@@ -92,6 +96,22 @@ ContactNewton::build_matrix(const LinearStep& step, ContactForces& contact, Bala
     return coupled ? coupled_.matrix() : *step.matrix;
 }
 
+/// Once a step: contacts that change from round to round change it little.
+void ContactNewton::build_coarse_space(const LinearStep& step, const BlockMatrix& matrix) {
+    if (!is_coarse_cut_) {
+        coarse_.set_pattern(*step.matrix);
+        is_coarse_cut_ = true;
+    }
+    places_.resize(step.x.size());
+    fixed_.resize(step.x.size());
+    parallel_for(step.x.size(), [&](std::size_t v) {
+        places_[at(step.row_of_vertex[v])] = step.x[v];
+        fixed_[at(step.row_of_vertex[v])] = step.held[v];
+    });
+    coarse_.build(matrix, places_, fixed_);
+    is_coarse_built_ = true;
+}
+
 bool ContactNewton::find_direction(const LinearStep& step,
                                    ContactForces& contact,
                                    double forcing,
@@ -103,9 +123,23 @@ bool ContactNewton::find_direction(const LinearStep& step,
                               ? 0.9 * step.tolerance
                               : std::max(0.5 * step.tolerance, forcing * report.imbalance);
     direction_.assign(imbalance_.size(), Vec3::Zero());
-    const CgReport cg = cg_.solve(matrix, preconditioner_, imbalance_, direction_,
-                                  {.tolerance = target / report.imbalance});
+    const auto precondition = [&](std::span<const Vec3> r, std::span<Vec3> z) {
+        preconditioner_.apply(r, z);
+        if (is_coarse_built_) {
+            coarse_.add_correction(r, z);
+        }
+    };
+    CgParams params{.tolerance = target / report.imbalance};
+    const int most = params.max_iterations;
+    params.max_iterations = is_coarse_built_ ? most : k_fine_iterations;
+    CgReport cg = cg_.solve(matrix, precondition, imbalance_, direction_, params);
     report.cg_iterations += cg.iterations;
+    if (!cg.converged && cg.iterations == k_fine_iterations && !is_coarse_built_) {
+        build_coarse_space(step, matrix);
+        params.max_iterations = most;
+        cg = cg_.solve(matrix, precondition, imbalance_, direction_, params);
+        report.cg_iterations += cg.iterations;
+    }
     report.seconds_solve += watch.seconds();
     return cg.converged;
 }
@@ -201,6 +235,7 @@ BalanceReport ContactNewton::solve(const LinearStep& step, ContactForces& contac
     BalanceReport report;
     double forcing = k_first_forcing;
     caution_ = 0.0;
+    is_coarse_built_ = false;
     while (true) {
         if (report.rounds < k_fitting_rounds) {
             contact.fit_limits(step.x);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "step/coarse_space.h"
 #include "step/conjugate_gradient.h"
 #include "step/contact_forces.h"
 #include "step/coupled_matrix.h"
+#include "step/preconditioner.h"
 
 namespace weft {
 
@@ -58,15 +60,21 @@ private:
                         BalanceReport& report);
     const BlockMatrix&
     build_matrix(const LinearStep& step, ContactForces& contact, BalanceReport& report);
+    void build_coarse_space(const LinearStep& step, const BlockMatrix& matrix);
     double best_share(const ContactForces& contact, double slope, double curvature) const;
 
     CoupledMatrix coupled_;
     IncompleteCholesky preconditioner_;
+    CoarseSpace coarse_;
+    bool is_coarse_cut_ = false;   ///< the patches are of the present pattern
+    bool is_coarse_built_ = false; ///< its system is of the present step
     ConjugateGradient cg_;
     bool was_coupled_ = false;
     double caution_ = 0.0; ///< of the round, see FrictionLaw
     int revision_ = -1;    ///< of the contacts whose blocks are coupled
     std::vector<BlockEntry> joined_;
+    std::vector<Vec3> places_;                          ///< by row
+    std::vector<char> fixed_;                           ///< by row
     std::vector<Vec3> imbalance_, direction_, product_; ///< by row
     std::vector<Vec3> forces_, motion_;                 ///< by vertex
 };
