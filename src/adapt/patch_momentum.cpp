@@ -16,6 +16,11 @@ constexpr double k_least_inertia = 1e-9;
 /// point.
 constexpr double k_least_width = 1e-12;
 
+/// Least share that is left of what moves otherwise than as a rigid body. Smaller: velocities jump
+/// where masses came nearer to the axis of a spin, which takes energy that cannot be taken off it;
+/// larger: adaptions give cloth energy.
+constexpr double k_least_share = 0.98;
+
 /// A rigid motion about a centre.
 struct RigidMotion {
     Vec3 centre, velocity, spin;
@@ -104,7 +109,8 @@ void restore_momentum(const PatchMomentum& before,
         return;
     }
     const double excess = now.kinetic - before.kinetic;
-    const double share = std::sqrt(std::max(0.0, 1.0 - excess / fluctuation));
+    const double share =
+        std::max(k_least_share, std::sqrt(std::max(0.0, 1.0 - excess / fluctuation)));
     for (std::size_t i = 0; i < m.size(); ++i) {
         const Vec3 as_rigid = rigid.at(x[i]);
         v[i] = as_rigid + share * (v[i] - as_rigid);

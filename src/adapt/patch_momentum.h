@@ -18,10 +18,11 @@ struct PatchMomentum {
 };
 
 /// Changes velocities (m/s) of vertices at x (m) with masses m (kg) as little as it takes for their
-/// linear and angular momentum to be those of `before`; then lowers what is not a rigid motion
-/// until the kinetic energy is no greater than before, as far as that goes: masses that came nearer
-/// to the axis of a spin turn faster, or lose angular momentum. Angular momentum along directions
-/// in which the vertices have all but no inertia is left as it is.
+/// linear and angular momentum to be those of `before`; then takes what energy they have gained off
+/// the motion that is not a rigid one, by a fiftieth of its velocities at most. What is left of
+/// the gain belongs to masses that came nearer to the axis of a spin, and is lost when they go
+/// back. Angular momentum along directions in which the vertices have all but no inertia is left as
+/// it is.
 void restore_momentum(const PatchMomentum& before,
                       std::span<const double> m,
                       std::span<const Vec3> x,

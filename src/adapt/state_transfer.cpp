@@ -13,7 +13,7 @@ namespace {
 /// Steps across edges by which a patch of changed triangles is grown before its momenta are
 /// restored. Fewer: what few vertices lose of inertia turns them visibly; more: what is lost in one
 /// place moves others.
-constexpr int k_patch_steps = 4;
+constexpr int k_patch_steps = 8;
 
 std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
