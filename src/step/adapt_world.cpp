@@ -4,8 +4,11 @@
 #include "adapt/coarseness.h"
 #include "adapt/make_refinement.h"
 #include "adapt/state_transfer.h"
+#include "geometry/dihedral.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace weft {
 
@@ -13,6 +16,27 @@ namespace {
 
 std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
+}
+
+/// An inner edge of an imported shape that turns by more than this is a crease, rad. A flip across
+/// it would put a stretched triangle over a fold that is meant to be there; smaller keeps edges of
+/// round garments (a tube of six sides turns by 60 degrees) from flipping, which they should.
+constexpr double k_crease = 65.0 * std::numbers::pi / 180.0;
+
+/// Where cloth rests as imported, its creases are part of its shape.
+void lock_creases(const World& world, Cloth& cloth) {
+    if (cloth.params.rest != RestShape::Mesh) {
+        return;
+    }
+    const auto x = world.positions_of(cloth);
+    for (std::size_t e = 0; e < cloth.topology.edges.size(); ++e) {
+        const MeshEdge& edge = cloth.topology.edges[e];
+        if (!edge.is_boundary() &&
+            std::abs(dihedral_angle(x[at(edge.v[0])], x[at(edge.v[1])], x[at(edge.apex[0])],
+                                    x[at(edge.apex[1])])) > k_crease) {
+            cloth.refinement.locked[e] = 1;
+        }
+    }
 }
 
 void freeze_attached(World& world, Cloth& cloth) {
@@ -110,6 +134,7 @@ void make_adaptive(World& world) {
             make_refinement(cloth);
             const auto x = world.positions_of(cloth);
             cloth.refinement.start.assign(x.begin(), x.end());
+            lock_creases(world, cloth);
             freeze_attached(world, cloth);
         }
     }

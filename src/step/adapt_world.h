@@ -10,7 +10,7 @@
 namespace weft {
 
 /// Makes the meshes of all cloths that are to be refined adaptive. Of a world at t = 0, as it will
-/// start; triangles with an attached vertex stay as they are.
+/// start; creases of imported shapes and triangles with an attached vertex are kept.
 void make_adaptive(World& world);
 
 /// What an adaption did.
