@@ -34,8 +34,7 @@ void read_camera(TomlTable& render, RenderParams& params) {
 RenderParams read_render(TomlTable table) {
     RenderParams params;
     table.read("size", params.size);
-    table.read_choice<std::string>("quantity", params.quantity, choices_of(k_quantity_names),
-                                   {"level"});
+    table.read_choice<std::string>("quantity", params.quantity, choices_of(k_quantity_names));
     table.read_choice<std::string>("map", params.map, choices_of(k_map_names));
     params.has_range = table.read("range", params.range);
     table.read("edges", params.edges);

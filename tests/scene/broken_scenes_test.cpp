@@ -189,9 +189,6 @@ const std::vector<Broken> k_not_yet{
     {"solids", "[[solid]]\nname = \"cube\"\n" + cloth(""), "a.toml:1:1: solid: not there yet"},
     {"rigid bodies", "[[rigid]]\nname = \"ball\"\n" + cloth(""),
      "a.toml:1:1: rigid: not there yet"},
-    {"levels", cloth("") + "[render]\nquantity = \"level\"\n",
-     "a.toml:5:12: render.quantity = \"level\": not there yet; must be \"stretch\", "
-     "\"strain_weft\", \"strain_warp\", \"shear\", \"stress\", \"curvature\" or \"speed\""},
 };
 
 TEST(BrokenScenes, SayWhatTheFormatHasAndThisProgramNotYet) {
