@@ -127,6 +127,9 @@ void StateTransfer::remove(const VertexParents& place) {
     PatchMomentum left = gone.left;
     left.add(gone.mass, gone.x - origin_, gone.v);
     states_[at(place.parents[0])].left += left;
+    PatchMomentum left_change = gone.left_change;
+    left_change.add(gone.mass, gone.x - origin_, gone.v - gone.previous_v);
+    states_[at(place.parents[0])].left_change += left_change;
 }
 
 void StateTransfer::move(Index from, Index to) {
@@ -175,22 +178,25 @@ void StateTransfer::correct_velocities(const Cloth& cloth, const ClothChanges& c
 }
 
 void StateTransfer::correct_patch(std::span<const Index> patch) {
-    PatchMomentum before;
+    PatchMomentum before, before_change;
     std::vector<double> m;
-    std::vector<Vec3> x, v;
+    std::vector<Vec3> x, v, change;
     for (const Index i : patch) {
         const VertexState& state = states_[at(i)];
-        before += state.left;
-        before.add(state.mass, state.x - origin_, state.v);
         m.push_back(masses_[at(i)]);
         x.push_back(state.x - origin_);
         v.push_back(state.v);
+        change.push_back(state.v - state.previous_v);
+        before += state.left;
+        before.add(state.mass, x.back(), v.back());
+        before_change += state.left_change;
+        before_change.add(state.mass, x.back(), change.back());
     }
     restore_momentum(before, m, x, v);
+    restore_momentum(before_change, m, x, change);
     for (std::size_t k = 0; k < patch.size(); ++k) {
-        VertexState& state = states_[at(patch[k])];
-        state.previous_v += v[k] - state.v; // what the last step did to it stays the same
-        state.v = v[k];
+        states_[at(patch[k])].v = v[k];
+        states_[at(patch[k])].previous_v = v[k] - change[k];
     }
 }
 

@@ -16,7 +16,7 @@ namespace weft {
 /// in the history that BDF2 needs as well; it is pinned when all its parents are, by one pin. A
 /// vertex taken out leaves its momentum. Lumped masses change around all that is edited; then each
 /// connected patch of changed triangles, with some more around it, gets back the linear and angular
-/// momentum that it had.
+/// momentum that it had; so do the changes of velocity that BDF2 goes on from.
 class StateTransfer {
 public:
     StateTransfer(const World& world, const Cloth& cloth);
@@ -38,8 +38,9 @@ public:
 private:
     struct VertexState {
         Vec3 x, v, previous_x, previous_v, start;
-        double mass = 0.0;  ///< before the adaption, kg; 0: it is new
-        PatchMomentum left; ///< by vertices that were taken out
+        double mass = 0.0;         ///< before the adaption, kg; 0: it is new
+        PatchMomentum left;        ///< by vertices that were taken out
+        PatchMomentum left_change; ///< the same of what the last substep changed of their velocity
         std::optional<Pin> pin;
     };
 
