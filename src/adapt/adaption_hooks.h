@@ -3,6 +3,7 @@
 #include "base/eigen.h"
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace weft {
@@ -45,7 +46,8 @@ inline constexpr Index k_most_levels = 15;
 /// What bounds an adaption.
 struct AdaptionLimits {
     Index max_level = 0; ///< no triangle becomes finer, 0..k_most_levels
-    Index adaption = 0;  ///< number of this adaption: `born` of the vertices that it puts in
+    Index max_triangles = std::numeric_limits<Index>::max(); ///< that refining may lead to
+    Index adaption = 0; ///< number of this adaption: `born` of the vertices that it puts in
 };
 
 } // namespace weft

@@ -46,9 +46,9 @@ public:
 
     /// Refines triangle t once: even generation: cut into three about its barycentre; odd: flipped
     /// with its mate, which is refined first as far as it needs; odd on a boundary, a lock or
-    /// a pair too skew to flip (k_least_flip_share): cut in three there. False when that is
-    /// refused; the mesh is sound then as well, but some of the triangles that t rests on may have
-    /// been refined.
+    /// a pair too skew to flip (k_least_flip_share): cut in three there. False when that is refused
+    /// or the triangles allowed do not suffice; the mesh is sound then as well, but some of the
+    /// triangles that t rests on may have been refined.
     bool refine(Index t);
 
     /// Whether v was put in and nothing finer rests on it. Dead and imported vertices: false.
@@ -75,6 +75,7 @@ private:
     bool is_odd(Index t) const { return generation(t) % 2 != 0; }
     bool are_equal_mates(Index e) const;
     bool is_cut_in_three(Index e) const;
+    bool has_room_for(std::size_t triangles) const;
     bool waits_for_flip(Index e) const;
 
     void open(Index t);

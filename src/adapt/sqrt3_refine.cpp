@@ -32,6 +32,10 @@ bool Sqrt3Mesh::can_refine(Index t) const {
     return !is_frozen && level_of(generation(t) + 1) <= limits_.max_level;
 }
 
+bool Sqrt3Mesh::has_room_for(std::size_t triangles) const {
+    return cloth_->triangles.size() + triangles <= at(limits_.max_triangles);
+}
+
 bool Sqrt3Mesh::refine(Index t) {
     assert(!is_dead(corners(t)));
     if (!can_refine(t)) {
@@ -39,6 +43,9 @@ bool Sqrt3Mesh::refine(Index t) {
     }
     const int before = generation(t);
     if (before % 2 == 0) {
+        if (!has_room_for(2)) {
+            return false;
+        }
         split(t);
         return true;
     }
@@ -49,6 +56,9 @@ bool Sqrt3Mesh::refine(Index t) {
                 return false;
             }
         } else if (is_cut_in_three(e)) {
+            if (!has_room_for(edge(e).is_boundary() ? 2 : 4)) {
+                return false;
+            }
             trisect(e);
         } else if (!try_flip(e)) {
             return false;

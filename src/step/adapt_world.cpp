@@ -102,20 +102,24 @@ void forbid_moves(AdaptionHooks& hooks) {
     hooks.may_remove = [](const Removal&) { return false; };
 }
 
+/// Too near for any triangle to be cut.
+bool is_near_budget(const Cloth& cloth) {
+    constexpr std::size_t k_most_added = 4; // by one cut
+    return cloth.triangles.size() + k_most_added > at(cloth.params.adapt.max_triangles);
+}
+
 /// Carries out a plan. False: the budget of triangles was too short for it.
 bool carry_out(const AdaptionPlan& plan, Sqrt3Mesh& mesh, Cloth& cloth, AdaptionHooks hooks) {
     const AdaptParams& params = cloth.params.adapt;
     mesh.begin(cloth, std::move(hooks),
-               {.max_level = params.levels, .adaption = cloth.refinement.adaptions});
+               {.max_level = params.levels,
+                .max_triangles = params.max_triangles,
+                .adaption = cloth.refinement.adaptions});
     mesh.retry_flips();
     bool suffices = true;
     for (const Index t : plan.refine) {
-        suffices = cloth.triangles.size() < at(params.max_triangles);
-        if (!suffices) {
-            break;
-        }
-        if (mesh.can_refine(t)) {
-            mesh.refine(t);
+        if (mesh.can_refine(t) && !mesh.refine(t)) {
+            suffices = suffices && !is_near_budget(cloth);
         }
     }
     for (const Index v : plan.remove) {
