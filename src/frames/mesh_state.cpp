@@ -109,6 +109,22 @@ bool is_adaptive(const Cloth& cloth) {
     return !cloth.refinement.empty();
 }
 
+/// Do the arrays read belong to one mesh, and to one refined from the imported one?
+bool are_of_one_mesh(const Cloth& cloth) {
+    const Refinement& refinement = cloth.refinement;
+    const std::size_t vertices = cloth.rest_areas.size();
+    const std::size_t triangles = cloth.triangles.size();
+    const std::size_t edges = cloth.topology.edges.size();
+    const auto imported = static_cast<std::size_t>(refinement.base_vertices);
+    return vertices == imported + refinement.vertices.size() &&
+           cloth.material_positions.size() == vertices && refinement.start.size() == vertices &&
+           triangles >= static_cast<std::size_t>(refinement.base_triangles) &&
+           cloth.topology.triangle_edges.size() == triangles && cloth.rest.size() == triangles &&
+           refinement.triangles.size() == triangles &&
+           edges >= static_cast<std::size_t>(refinement.base_edges) &&
+           refinement.locked.size() == edges;
+}
+
 /// Vertices of later cloths, and what names them, move along.
 void set_first_vertices(World& world) {
     Index next = 0;
@@ -171,7 +187,13 @@ std::string decode_meshes(std::string_view bytes, World& world) {
     in.get(world.masses);
     std::vector<StoredPin> pins;
     in.get(pins);
-    if (!in.is_whole()) {
+    std::size_t vertices = 0;
+    bool are_meshes = in.is_whole();
+    for (const Cloth& cloth : world.cloths) {
+        vertices += static_cast<std::size_t>(cloth.vertex_count);
+        are_meshes = are_meshes && (!is_adaptive(cloth) || are_of_one_mesh(cloth));
+    }
+    if (!are_meshes || world.masses.size() != vertices) {
         return "its meshes cannot be unpacked";
     }
     set_first_vertices(world);
