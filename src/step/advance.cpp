@@ -37,8 +37,8 @@ constexpr double k_greatest_motion = 0.25;
 /// part as well; fewer: impulses, which know nothing of the cloth's stiffness, do more of the work.
 constexpr int k_impact_solves = 4;
 
-/// Time between adaptions of the meshes, s, in whole substeps. Longer: folds are there before the
-/// mesh that could show them; shorter: the same mesh, dearer.
+/// Time between adaptions of the meshes, s, in whole substeps; a frame where frames are shorter.
+/// Longer: folds are there before the mesh that could show them; shorter: the same mesh, dearer.
 constexpr double k_adaption_interval = 0.02;
 
 void add_contact(ContactReport& total, const ContactReport& substep) {
@@ -300,8 +300,8 @@ std::optional<FrameReport> Stepper::advance_frame(World& world,
     const std::int64_t ticks_per_substep = std::int64_t{1} << k_most_halvings;
     const std::int64_t end = base_substeps * ticks_per_substep;
     const std::int64_t adaption_ticks =
-        ticks_per_substep *
-        std::max<std::int64_t>(1, std::lround(k_adaption_interval * base_substeps / frame_dt));
+        ticks_per_substep * std::clamp(std::lround(k_adaption_interval * base_substeps / frame_dt),
+                                       1L, static_cast<long>(base_substeps));
 
     FrameReport report;
     int halvings = 0;

@@ -223,6 +223,20 @@ TEST(AdaptiveRun, AStopTakesTheMeshBackToTheFramesStart) {
     EXPECT_EQ(run.cloth().triangles, after.cloths[0].triangles);
 }
 
+TEST(AdaptiveRun, AdaptsInShortFramesToo) {
+    for (const double fps : {24.0, 60.0, 75.0, 100.0, 240.0}) {
+        Scene scene = sheet_over_sphere();
+        scene.scene.fps = fps;
+        scene.cloths[0].velocity = {0.0, -0.5, 0.0};
+        AdaptiveWorld run(scene);
+
+        run.advance(static_cast<int>(0.05 * fps));
+
+        EXPECT_GT(run.cloth().refinement.adaptions, 1) << fps;
+        EXPECT_LE(run.cloth().refinement.adaptions, static_cast<Index>(0.05 * fps) + 3) << fps;
+    }
+}
+
 TEST(AdaptiveRun, GoesOnAtItsBudgetOfTriangles) {
     for (const int budget : {141, 160, 175, 200}) {
         Scene scene = sheet_over_sphere();
