@@ -55,6 +55,9 @@ void measure_cloth(const World& world, const Cloth& cloth, FrameObject& object) 
     }
     values_of(object, "level") =
         average([&](std::size_t t) { return triangle_level(cloth, static_cast<Index>(t)); });
+    for (float& level : values_of(object, "level")) {
+        level = std::round(64.0F * level) / 64.0F; // a mean of equal levels is that level
+    }
     for (const Vec3& velocity : world.velocities_of(cloth)) {
         values_of(object, "speed").push_back(static_cast<float>(velocity.norm()));
     }

@@ -93,7 +93,7 @@ TEST(Capture, ShowsTheLevelOfRefinement) {
     Cloth& cloth = world.cloths[0];
     cloth.refinement.base_vertices = cloth.vertex_count;
     cloth.refinement.triangles.assign(cloth.triangles.size(), {.generation = 3});
-    expect_all(capture(world), "level", 2.0, 1e-6);
+    expect_all(capture(world), "level", 2.0, 0.0);
 }
 
 /// A vertex that is a corner of one triangle only.
