@@ -54,6 +54,10 @@ TEST(ValidationDynamics, StretchedMembraneSoundsAtItsFrequency) {
     expect_within(validate_membrane_frequency());
 }
 
+TEST(ValidationDynamics, PeriodsAreTheSameOnMeshesRefinedAndCoarsenedAsTheyBend) {
+    expect_within(validate_adaptive_periods());
+}
+
 TEST(ValidationDynamics, IntegratorsHaveTheirOrder) {
     expect_within(validate_order_in_time());
 }

@@ -40,6 +40,8 @@ constexpr std::array k_experiments{
                validate_membrane_frequency},
     Experiment{"order-in-time", "convergence with the substep", validate_order_in_time},
     Experiment{"order-in-space", "convergence with the mesh", validate_order_in_space},
+    Experiment{"adapt.periods", "strips that swing on meshes refined as they bend",
+               validate_adaptive_periods},
     Experiment{.name = "friction.incline",
                .subject = "a sheet on an incline sticks and slides as Coulomb says",
                .run_repeats = validate_incline},
