@@ -23,6 +23,11 @@ std::size_t at(Index i) {
 /// round garments (a tube of six sides turns by 60 degrees) from flipping, which they should.
 constexpr double k_crease = 65.0 * std::numbers::pi / 180.0;
 
+/// A flip across a deeper fold (rad) waits until it is shallower: the rest shape is flat, and the
+/// new triangles would be shorter across the fold than they rest, and stretched along it, by a few
+/// percent at this angle and by half in slivers at a right angle.
+constexpr double k_deep_fold = 20.0 * std::numbers::pi / 180.0;
+
 /// Where cloth rests as imported, its creases are part of its shape.
 void lock_creases(const World& world, Cloth& cloth) {
     if (cloth.params.rest != RestShape::Mesh) {
@@ -70,19 +75,29 @@ AdaptionHooks make_hooks(StateTransfer& transfer, AdaptionReport& report) {
     return hooks;
 }
 
-/// Of what moves the surface, lets only that be done that contact has room for.
+/// Is the fold across the edge that a flip takes away shallow?
+bool is_shallow(const StateTransfer& transfer, const EdgeFlip& flip) {
+    return std::abs(dihedral_angle(transfer.position(flip.edge[0]), transfer.position(flip.edge[1]),
+                                   transfer.position(flip.apex[0]),
+                                   transfer.position(flip.apex[1]))) < k_deep_fold;
+}
+
+/// Of what moves the surface, lets only that be done that stretches no cloth and, where contact is
+/// on, that it has room for.
 void add_guard(AdaptionHooks& hooks,
                const StateTransfer& transfer,
-               EditGuard& guard,
+               EditGuard* guard,
                std::size_t cloth) {
-    const auto may_sweep = [&transfer, &guard, cloth](const std::array<Index, 4>& v) {
-        return guard.may_sweep(static_cast<Index>(cloth),
-                               {transfer.position(v[0]), transfer.position(v[1]),
-                                transfer.position(v[2]), transfer.position(v[3])},
-                               v);
+    const auto may_sweep = [&transfer, guard, cloth](const std::array<Index, 4>& v) {
+        return guard == nullptr ||
+               guard->may_sweep(static_cast<Index>(cloth),
+                                {transfer.position(v[0]), transfer.position(v[1]),
+                                 transfer.position(v[2]), transfer.position(v[3])},
+                                v);
     };
-    const auto may_flip = [may_sweep](const EdgeFlip& flip) {
-        return may_sweep({flip.edge[0], flip.edge[1], flip.apex[0], flip.apex[1]});
+    const auto may_flip = [may_sweep, &transfer](const EdgeFlip& flip) {
+        return is_shallow(transfer, flip) &&
+               may_sweep({flip.edge[0], flip.edge[1], flip.apex[0], flip.apex[1]});
     };
     hooks.may_flip = may_flip;
     hooks.may_remove = [may_flip, may_sweep](const Removal& removal) {
@@ -208,8 +223,8 @@ bool WorldAdaption::adapt_cloth(World& world,
         AdaptionHooks hooks = make_hooks(transfer, done);
         if (!may_move) {
             forbid_moves(hooks);
-        } else if (guard != nullptr) {
-            add_guard(hooks, transfer, *guard, index);
+        } else {
+            add_guard(hooks, transfer, guard, index);
         }
         const bool suffices = carry_out(plan, *meshes_[index], cloth, std::move(hooks));
         changes = meshes_[index]->finish();
