@@ -52,6 +52,9 @@ double relative_energy(const Sheet& sheet, BendModel model, double degrees) {
     double energy = 0.0;
     for (std::size_t e = 0; e < bending.size(); ++e) {
         const Index* nodes = &bending.nodes()[e * n];
+        if (nodes[0] == k_no_index) {
+            continue; // the slot of a boundary edge
+        }
         const std::size_t core = n == 4 ? 2 : 3; // the edge, or the triangle
         Vec2 centre = Vec2::Zero();
         for (std::size_t a = 0; a < core; ++a) {
