@@ -103,6 +103,8 @@ struct ContactSolver::Impl {
     int resolve_impacts(double dt, ContactReport& report);
     bool pass_of_impulses(int pass, double dt, ContactReport& report);
     int cut_back_rest(double dt, ContactReport& report);
+    bool stop_cloths(double dt);
+    void find_all_impacts(double dt);
     void yield();
     void count_zones(ContactReport& report);
     void measure_end(double dt, bool clean_before, int left, ContactReport& report);
@@ -237,6 +239,43 @@ void ContactSolver::Impl::yield() {
     }
 }
 
+/// Islands in a jam can push each other on without end. Then the cloths that they are of stand
+/// still for this substep, which meets nothing where obstacles and held vertices leave them room.
+/// False: they do not, and all is as it was.
+bool ContactSolver::Impl::stop_cloths(double dt) {
+    const std::vector<Vec3> moving = surface.velocity;
+    std::vector<char> stands(surface.objects.size(), 0);
+    while (!impacts.empty()) {
+        bool more = false;
+        for (const Impact& impact : impacts) {
+            for (const Index v : candidates[at(impact.candidate)].vertices) {
+                char& stand = stands[at(surface.object_of_vertex[at(v)])];
+                more = more || (surface.inverse_mass[at(v)] > 0.0 && !stand);
+                stand = stand || surface.inverse_mass[at(v)] > 0.0;
+            }
+        }
+        if (!more) {
+            surface.velocity = moving;
+            find_all_impacts(dt);
+            return false;
+        }
+        for (Index v = 0; v < surface.deformable_vertices; ++v) {
+            if (surface.inverse_mass[at(v)] > 0.0 && stands[at(surface.object_of_vertex[at(v)])]) {
+                surface.velocity[at(v)].setZero();
+            }
+        }
+        find_all_impacts(dt);
+    }
+    return true;
+}
+
+/// Impacts of the present motion, whatever was searched before.
+void ContactSolver::Impl::find_all_impacts(double dt) {
+    find_candidates(dt);
+    look.assign(surface.start.size(), 1);
+    impact_search.find(surface, candidates, look, dt, k_final_limit, impacts);
+}
+
 /// Cuts back islands until nothing is met; returns the impacts that are left.
 int ContactSolver::Impl::cut_back_rest(double dt, ContactReport& report) {
     islands.reset(at(surface.deformable_vertices));
@@ -250,6 +289,9 @@ int ContactSolver::Impl::cut_back_rest(double dt, ContactReport& report) {
             return 0;
         }
         if (round == k_cuts) {
+            if (stop_cloths(dt)) {
+                return 0;
+            }
             yield();
             return static_cast<int>(impacts.size());
         }
