@@ -145,6 +145,27 @@ std::string problem(const AdaptParams& params) {
     return finding.text();
 }
 
+std::string problem(const SpringParams& params) {
+    Finding finding;
+    finding.positive("K", params.K, "N/m");
+    finding.positive("K1", params.K1, "N/m");
+    finding.positive("K2", params.K2, "N/m");
+    finding.require(params.a1 > 1.0, "a1", params.a1, "> 1, a stretch");
+    finding.require(params.a2 > 0.0 && params.a2 < 1.0, "a2", params.a2, "> 0 and < 1, a stretch");
+    finding.not_negative("bend", params.bend, "N/m");
+    finding.not_negative("shear", params.shear, "");
+    finding.not_negative("damping", params.damping, "N s/m");
+    finding.require(params.jacobian_damping > 0.0 && params.jacobian_damping <= 1.0,
+                    "jacobian_damping", params.jacobian_damping, "> 0 and <= 1");
+    const bool is_limited = params.limit != Vec2(0.0, 0.0);
+    finding.require(!is_limited || (params.limit[0] >= 0.0 && params.limit[0] < 1.0), "limit[0]",
+                    params.limit[0], ">= 0 and < 1, the least stretch");
+    finding.require(!is_limited || params.limit[1] > 1.0, "limit[1]", params.limit[1],
+                    "> 1, the greatest stretch");
+    finding.positive("mass", params.mass, "kg");
+    return finding.text();
+}
+
 std::string problem(const ClothParams& params) {
     Finding finding;
     for (Eigen::Index i = 0; i < 2; ++i) {
@@ -153,6 +174,29 @@ std::string problem(const ClothParams& params) {
         finding.require(cells >= 1 && cells <= 4096, element("grid.cells", i), cells, "1 to 4096");
     }
     finding.positive("uv_scale", params.uv_scale, "m per unit of uv");
+    return finding.text();
+}
+
+std::string problem(const SolidParams& params) {
+    Finding finding;
+    for (Eigen::Index i = 0; i < 3 && params.mesh.file.empty(); ++i) {
+        finding.positive(element("box", i), params.box[i], "m");
+    }
+    finding.positive("spacing", params.spacing, "m");
+    finding.positive("thickness", params.thickness, "m");
+    check_friction(finding, params.friction, params.static_friction);
+    return finding.text();
+}
+
+std::string problem(const RigidParams& params) {
+    Finding finding;
+    finding.positive("radius", params.radius, "m");
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        finding.positive(element("size", i), params.size[i], "m");
+    }
+    finding.positive("mass", params.mass, "kg");
+    finding.positive("thickness", params.thickness, "m");
+    check_friction(finding, params.friction, params.static_friction);
     return finding.text();
 }
 

@@ -99,7 +99,7 @@ struct PinParams {
     std::string loop_side;    ///< or "top", "bottom": the loop that lies highest, lowest
     double until = k_forever; ///< s
     std::vector<std::array<double, 4>> move; ///< key frames t, x, y, z (s, m): offset
-    std::string to;                          ///< obstacle to follow; empty: none
+    std::string to;                          ///< obstacle or rigid body to follow; empty: none
     bool operator==(const PinParams&) const = default;
 };
 
@@ -120,6 +120,34 @@ struct AdaptParams {
 /// Levels that `[cloth.adapt]` has when it does not say.
 inline constexpr int k_default_levels = 4;
 
+/// What holds an object together. All but Corotational are those of Vogiannou et al. 2010.
+enum class Model {
+    Corotational, ///< linear triangles, corotated
+    Cubic,        ///< edges with a full cubic force
+    Linear,       ///< edges that are Hookean springs
+    StvkEdge,     ///< edges with the two-term cubic force of Kikuuwe et al. 2009
+    StvkTriangle, ///< Saint Venant-Kirchhoff triangles of Volino et al. 2009; cloth only
+};
+
+/// `[cloth.spring]`, `[solid.spring]`: the force law of edge models. Stiffness is that of one edge,
+/// dg/dr of its tension g at length r; a1, a2 are stretches, length over rest length.
+struct SpringParams {
+    double K = 1000.0;             ///< at rest, N/m, > 0
+    double K1 = 6000.0;            ///< at a1, N/m, > 0; cubic only
+    double K2 = 2000.0;            ///< at a2, N/m, > 0; cubic only
+    double a1 = 1.1;               ///< > 1
+    double a2 = 0.9;               ///< in (0, 1)
+    double bend = 10.0;            ///< K of edges that resist bending, N/m, >= 0; 0: none; cloth
+    double shear = 1.0;            ///< stiffness of diagonals over that of sides, >= 0; 0: none
+    double damping = 0.0;          ///< along the relative velocity of the ends, N s/m, >= 0
+    double jacobian_damping = 1.0; ///< factor of b and d in the Jacobian alone, (0, 1]; 1: off
+    Vec2 limit{0.0, 0.0};          ///< least and greatest stretch that must hold; zeros: none
+    double mass = 1.0;             ///< of the whole object, kg, > 0
+    bool strict = false;           ///< refuse laws whose stiffness turns negative somewhere
+    bool calibrate = false;        ///< K of each edge from the moduli of the fabric instead
+    bool operator==(const SpringParams&) const = default;
+};
+
 /// `[[cloth]]`.
 struct ClothParams {
     std::string name;
@@ -128,7 +156,9 @@ struct ClothParams {
     std::array<int, 2> grid_cells{32, 32};
     Placement placement;
     Vec3 velocity{0.0, 0.0, 0.0}; ///< at the start, m/s
+    Model model = Model::Corotational;
     FabricParams fabric;
+    SpringParams spring;
     BendModel bend_model = BendModel::MidEdge;
     RestShape rest = RestShape::Mesh;
     double uv_scale = 1.0;  ///< metres per unit of uv, > 0
@@ -178,6 +208,41 @@ struct ObstacleParams {
     std::optional<double> static_friction{}; ///< >= friction; none: friction
     std::vector<PoseKey> motion;             ///< by ascending t; empty: static
     bool operator==(const ObstacleParams&) const = default;
+};
+
+/// `[[solid]]`: particles filled into a box or a closed mesh, joined to their neighbours.
+struct SolidParams {
+    std::string name;
+    MeshSource mesh;         ///< file empty: the box
+    bool fills_open = false; ///< key `fill = "winding"`: an open mesh is filled by winding number
+    Vec3 box{0.0, 0.0, 0.0}; ///< edge lengths, m, > 0; centred
+    double spacing = 0.02;   ///< between particles, m, > 0
+    Placement placement;
+    Vec3 velocity{0.0, 0.0, 0.0}; ///< at the start, m/s
+    Model model = Model::Cubic;   ///< an edge model
+    SpringParams spring;
+    double thickness = 1.0e-3;               ///< of contact, m, > 0
+    double friction = 0.3;                   ///< Coulomb, kinetic, >= 0
+    std::optional<double> static_friction{}; ///< >= friction; none: friction
+    std::vector<PinParams> pins;             ///< hold particles: box, move, until
+    bool operator==(const SolidParams&) const = default;
+};
+
+/// `[[rigid]]`: a body that moves as a whole.
+struct RigidParams {
+    std::string name;
+    Shape shape = Shape::Mesh; ///< not Plane
+    MeshSource mesh;
+    double radius = 0.1;      ///< sphere, m, > 0
+    Vec3 size{1.0, 1.0, 1.0}; ///< box: edge lengths, m, > 0
+    double mass = 1.0;        ///< kg, > 0; of uniform density
+    Placement placement;
+    Vec3 velocity{0.0, 0.0, 0.0};            ///< of the centre of mass at the start, m/s
+    Vec3 spin_deg{0.0, 0.0, 0.0};            ///< angular velocity at the start, degrees/s
+    double thickness = 1.0e-3;               ///< of contact, m, > 0
+    double friction = 0.3;                   ///< Coulomb, kinetic, >= 0
+    std::optional<double> static_friction{}; ///< >= friction; none: friction
+    bool operator==(const RigidParams&) const = default;
 };
 
 /// A vertex by its index, or, without one, the nearest to a place at t = 0.
@@ -248,7 +313,10 @@ std::string problem(const FrictionPair& params);
 std::string problem(const FabricParams& params);
 std::string problem(const PinParams& params);
 std::string problem(const AdaptParams& params);
+std::string problem(const SpringParams& params);
 std::string problem(const ClothParams& params);
+std::string problem(const SolidParams& params);
+std::string problem(const RigidParams& params);
 std::string problem(const AnimationParams& params);
 std::string problem(const ObstacleParams& params);
 std::string problem(const AttachParams& params);

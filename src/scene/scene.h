@@ -13,6 +13,8 @@ struct Scene {
     SceneParams scene;
     ContactParams contact;
     std::vector<ClothParams> cloths;
+    std::vector<SolidParams> solids;
+    std::vector<RigidParams> rigids;
     std::vector<ObstacleParams> obstacles;
     std::vector<AttachParams> attachments;
     RenderParams render;

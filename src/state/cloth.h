@@ -2,6 +2,7 @@
 
 #include "geometry/triangle_mesh.h"
 #include "scene/params.h"
+#include "state/edge_network.h"
 #include "state/refinement.h"
 #include "state/rest_triangle.h"
 
@@ -24,6 +25,7 @@ struct Cloth {
         material_positions;         ///< #vertices, u, m: for output (a seam vertex has its first)
     std::vector<double> rest_areas; ///< #vertices, mixed Voronoi area of the rest shape, m^2
     Refinement refinement;          ///< empty where the mesh does not adapt
+    EdgeNetwork network;            ///< of edge models; else empty
 };
 
 /// Level of refinement of a triangle: 0 as imported, each higher one a third as large.

@@ -48,6 +48,7 @@ std::size_t World::triangle_count() const {
     for (const Cloth& cloth : cloths) {
         count += cloth.triangles.size();
     }
+    for_each_body(*this, [&](const Body& body) { count += body.triangles.size(); });
     return count;
 }
 
@@ -60,6 +61,10 @@ std::span<const Vec3> World::velocities_of(const Cloth& cloth) const {
     return std::span(velocities)
         .subspan(static_cast<std::size_t>(cloth.first_vertex),
                  static_cast<std::size_t>(cloth.vertex_count));
+}
+
+void carry(const World& world, std::span<Vec3> values) {
+    for_each_body(world, [&](const Body& body) { carry(body, values); });
 }
 
 std::vector<Index> adaptions_of(const World& world) {
@@ -76,8 +81,12 @@ std::string check(const World& world) {
         world.previous_positions.size() != count || world.previous_velocities.size() != count) {
         return "arrays of vertices have unequal lengths";
     }
+    std::vector<char> is_carried(count, 0);
+    for_each_body(world, [&](const Body& body) {
+        std::fill_n(is_carried.begin() + body.first_vertex, body.vertex_count, 1);
+    });
     for (std::size_t i = 0; i < count; ++i) {
-        if (!(world.masses[i] > 0.0)) {
+        if (is_carried[i] != 0 ? world.masses[i] != 0.0 : !(world.masses[i] > 0.0)) {
             return fmt::format("mass of vertex {} is {}", i, world.masses[i]);
         }
     }
