@@ -11,8 +11,10 @@ TEST(Body, CarriesItsSurfaceWithEachAffineMotionOfItsParticles) {
     body.vertex_count = 2;
     body.first_particle = 3;
     body.particle_count = 4;
-    body.carriers = {{{0, 1, 2, 3}, {0.1, 0.2, 0.3, 0.4}},
-                     {{2, k_no_index, k_no_index, k_no_index}, {1.0, 0.0, 0.0, 0.0}}};
+    body.carriers.resize(2);
+    body.carriers[0] = {{0, 1, 2, 3}, {0.1, 0.2, 0.3, 0.4}};
+    body.carriers[1].particles[0] = 2;
+    body.carriers[1].weights[0] = 1.0;
     std::vector<Vec3> x(7, Vec3(9.0, 9.0, 9.0));
     x[3] = Vec3(0.0, 0.0, 0.0);
     x[4] = Vec3(1.0, 0.0, 0.0);
