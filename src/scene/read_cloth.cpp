@@ -29,16 +29,13 @@ void read_adapt(TomlTable& cloth, AdaptParams& params) {
     adapt.refuse(problem(params));
 }
 
-void read_model(TomlTable& cloth) {
-    int model = 0;
-    cloth.read_choice("model", model, {{"corotational", 0}},
-                      {"cubic", "linear", "stvk_edge", "stvk_triangle"});
-}
-
 void read_mechanics(TomlTable& table, ClothParams& params) {
-    read_model(table);
-    table.refuse_later("spring");
+    read_model(table, params.model, SpringOwner::Cloth);
+    read_spring(table, params.model, params.spring, SpringOwner::Cloth);
     read_adapt(table, params.adapt);
+    if (params.model != Model::Corotational && params.adapt.levels > 0) {
+        table.fail("adapt", "must be left out: only corotational cloth is refined");
+    }
     table.read_choice("bending", params.bend_model,
                       {{"quadratic", BendModel::Quadratic}, {"mid_edge", BendModel::MidEdge}});
     table.read_choice("rest", params.rest, {{"mesh", RestShape::Mesh}, {"uv", RestShape::Uv}});

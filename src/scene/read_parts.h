@@ -29,6 +29,13 @@ void read_fabric(TomlTable& cloth, const std::filesystem::path& base_dir, Fabric
 /// The keys that say what a fabric is: of a preset, a fabric file or `[cloth.fabric]`.
 void read_fabric_values(TomlTable& table, FabricParams& fabric);
 
+enum class SpringOwner { Cloth, Solid };
+/// The key `model`, one of those that such an object can have.
+void read_model(TomlTable& owner, Model& model, SpringOwner kind);
+/// The table `spring` of a cloth or solid. Keys of the cubic law are passed over by other laws, so
+/// that one scene serves to compare them; others that the object has no use for are refused.
+void read_spring(TomlTable& owner, Model model, SpringParams& params, SpringOwner kind);
+
 /// `name`: usable as a file name; "" when it is missing, for the caller to refuse after finish().
 std::string read_name(TomlTable& table);
 /// mesh (or another key for the file), object, units, up, repair; `source.file` stays empty without

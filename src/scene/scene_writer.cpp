@@ -84,6 +84,42 @@ void write_fabric(TomlWriter& out, const FabricParams& fabric) {
     out.line("range", fabric.working_range, "working range of stretch");
 }
 
+const char* model_name(Model model) {
+    const char* const names[] = {"corotational", "cubic", "linear", "stvk_edge", "stvk_triangle"};
+    return names[static_cast<int>(model)];
+}
+
+/// @param header  `[cloth.spring]` or `[solid.spring]`
+void write_spring(TomlWriter& out,
+                  std::string_view header,
+                  Model model,
+                  const SpringParams& spring) {
+    if (model == Model::Corotational) {
+        return;
+    }
+    const bool is_cloth = header == "[cloth.spring]";
+    out.header(header);
+    out.line("K", spring.K, "N/m at rest");
+    out.line("K1", spring.K1, "N/m at a1");
+    out.line("K2", spring.K2, "N/m at a2");
+    out.line("a1", spring.a1);
+    out.line("a2", spring.a2);
+    if (is_cloth) {
+        out.line("bend", spring.bend, "N/m");
+    }
+    out.line("shear", spring.shear, "diagonals over sides");
+    out.line("damping", spring.damping, "N s/m");
+    out.line("jacobian_damping", spring.jacobian_damping, "1: off");
+    if (model != Model::StvkTriangle) {
+        out.line("limit", spring.limit, "zeros: none");
+    }
+    out.line("mass", spring.mass, "kg");
+    out.line("strict", spring.strict);
+    if (is_cloth) {
+        out.line("calibrate", spring.calibrate);
+    }
+}
+
 void write_adapt(TomlWriter& out, const AdaptParams& adapt) {
     out.header("[cloth.adapt]");
     out.line("levels", adapt.levels, "0: the mesh stays as it is");
@@ -139,7 +175,7 @@ void write_cloth(TomlWriter& out,
     }
     write_placement(out, cloth.placement);
     out.line("velocity", cloth.velocity, "m/s");
-    out.line("model", "corotational");
+    out.line("model", model_name(cloth.model));
     out.line("bending", cloth.bend_model == BendModel::Quadratic ? "quadratic" : "mid_edge");
     out.line("rest", cloth.rest == RestShape::Mesh ? "mesh" : "uv");
     out.line("uv_scale", cloth.uv_scale, "m per unit of uv");
@@ -147,7 +183,10 @@ void write_cloth(TomlWriter& out,
     out.line("pressure", cloth.pressure, "Pa");
     out.line("layer", cloth.layer);
     write_fabric(out, cloth.fabric);
-    write_adapt(out, cloth.adapt);
+    write_spring(out, "[cloth.spring]", cloth.model, cloth.spring);
+    if (cloth.model == Model::Corotational) {
+        write_adapt(out, cloth.adapt);
+    }
     for (const PinParams& pin : cloth.pins) {
         write_pin(out, pin);
     }

@@ -174,10 +174,21 @@ TEST(BrokenScenes, AreRefusedInOneLineThatNamesPlaceValueAndWhatIsAllowed) {
 }
 
 const std::vector<Broken> k_not_yet{
-    {"springs", cloth("[cloth.spring]\nK = 1000.0\n"),
-     "a.toml:4:1: cloth[0].spring: not there yet"},
-    {"another model", cloth("model = \"cubic\"\n"),
-     "a.toml:4:9: cloth[0].model = \"cubic\": not there yet; must be \"corotational\""},
+    {"springs without a model that has them", cloth("[cloth.spring]\nK = 1000.0\n"),
+     "a.toml:4:1: cloth[0].spring: is of edge models: needs model = \"cubic\", \"linear\", "
+     "\"stvk_edge\" or \"stvk_triangle\""},
+    {"a law that snaps through",
+     cloth("model = \"cubic\"\n[cloth.spring]\nK1 = 100000.0\nstrict = true\n"),
+     "a.toml:7:10: cloth[0].spring.strict = true: refuses this law: stiffness is negative between "
+     "the stretches 0.9041 and 0.9979"},
+    {"a limit of triangles",
+     cloth("model = \"stvk_triangle\"\n[cloth.spring]\nlimit = [0.9, 1.1]\n"),
+     "a.toml:6:9: cloth[0].spring.limit = [0.9, 1.1]: must be left out: stvk_triangle has no "
+     "edges to limit"},
+    {"a limit the wrong way", cloth("model = \"linear\"\n[cloth.spring]\nlimit = [1.1, 0.9]\n"),
+     "a.toml:6:10: cloth[0].spring.limit[0] = 1.1: must be >= 0 and < 1, the least stretch"},
+    {"refinement of springs", cloth("model = \"cubic\"\n[cloth.adapt]\nlevels = 2\n"),
+     "a.toml:5:1: cloth[0].adapt = {...}: must be left out: only corotational cloth is refined"},
     {"refinement", cloth("[cloth.adapt]\nlevels = 9\n"),
      "a.toml:5:10: cloth[0].adapt.levels = 9: must be 0 to 8"},
     {"refinement's budget", cloth("[cloth.adapt]\nmax_triangles = 0\n"),

@@ -33,7 +33,7 @@ TEST(SceneReader, ReadsEveryKeyOfAFullScene) {
     const FrictionPair expected_pair{{"shirt", "body"}, 0.25, 0.45};
     EXPECT_EQ(scene.contact.friction[0], expected_pair);
     EXPECT_EQ(scene.contact.friction[1].static_friction, std::nullopt);
-    ASSERT_EQ(scene.cloths.size(), 2u);
+    ASSERT_EQ(scene.cloths.size(), 3u);
     const ClothParams& shirt = scene.cloths[0];
     EXPECT_EQ(shirt.mesh.objects, (std::vector<std::string>{"Front", "Back"}));
     EXPECT_DOUBLE_EQ(shirt.mesh.metres_per_unit, 0.01);
@@ -56,6 +56,12 @@ TEST(SceneReader, ReadsEveryKeyOfAFullScene) {
     EXPECT_EQ(shirt.pins[2].to, "body");
     EXPECT_EQ(shirt.pins[3].loop, 1);
     EXPECT_EQ(scene.cloths[1].grid_cells, (std::array<int, 2>{8, 4}));
+    const ClothParams& net = scene.cloths[2];
+    EXPECT_EQ(net.model, Model::StvkEdge);
+    EXPECT_EQ(net.spring.K1, 3000.0);
+    EXPECT_EQ(net.spring.a2, 0.96);
+    EXPECT_EQ(net.spring.limit, Vec2(0.9, 1.1));
+    EXPECT_TRUE(net.spring.calibrate);
     ASSERT_EQ(scene.obstacles.size(), 7u);
     EXPECT_EQ(scene.obstacles[0].motion.size(), 2u);
     EXPECT_DOUBLE_EQ(scene.obstacles[0].motion[1].rotate_deg.y(), 90.0);
