@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace weft {
 
@@ -24,6 +25,15 @@ double least_stretch(const Triangle& t, const RestTriangle& rest, std::span<cons
     const double c = f.col(1).squaredNorm();
     const double half = 0.5 * (a + c);
     return std::sqrt(std::max(0.0, half - std::hypot(0.5 * (a - c), b)));
+}
+
+/// Compression at which a triangle of that rest area buckles, as shallow as can be, in the shortest
+/// waves that a mesh of its size can show, over two edges: that of a plate, B (2 pi / wave)^2, over
+/// the cloth's stiffness in its plane.
+double buckling_strain(const FabricParams& fabric, double area) {
+    const double edge_squared = 4.0 / std::numbers::sqrt3 * area;
+    const double force = fabric.bend_stiffness * std::numbers::pi * std::numbers::pi / edge_squared;
+    return force / fabric.stretch_stiffness.mean();
 }
 
 double greatest_difference(const Triangle& t, std::span<const Vec3> v) {
@@ -58,7 +68,8 @@ void find_coarseness(const Cloth& cloth,
         }
         if (adapt.compression > 0.0) {
             const double compression = 1.0 - least_stretch(t, cloth.rest[i], x);
-            found = std::max(found, compression / adapt.compression);
+            const double bearable = buckling_strain(cloth.params.fabric, cloth.rest[i].area);
+            found = std::max(found, compression / std::max(adapt.compression, bearable));
         }
         if (adapt.velocity > 0.0) {
             found = std::max(found, greatest_difference(t, v) / adapt.velocity);

@@ -13,7 +13,9 @@ namespace weft {
 /// - curvature: the greater mean curvature |H| at its corners, times its size h, the square root of
 ///   its rest area: about half the angle by which the cloth turns across it.
 /// - contact: the same with the curvature of the obstacle that a corner comes near.
-/// - compression: 1 - the lesser principal stretch: cloth that cannot buckle yet on this mesh.
+/// - compression: 1 - the lesser principal stretch: cloth that cannot buckle yet on this mesh. The
+///   limit is not below the compression that buckles waves of two edges: what the mesh can show
+///   needs no finer one, and cloth that has buckled keeps no more.
 /// - velocity: the greatest difference of velocity between its corners, m/s.
 ///
 /// Source: Bender and Deul 2013 (mean curvature); Narain et al. 2012 (the others).

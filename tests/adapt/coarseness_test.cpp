@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 namespace weft {
 namespace {
@@ -95,6 +96,28 @@ TEST(Coarseness, OfCompressionIsWhatTheLesserStretchLacks) {
             }
         }
     }
+}
+
+TEST(Coarseness, OfCompressionCountsFromWhatBucklesWavesOfTwoEdges) {
+    const double edge = 0.1;
+    const double compression = 0.04;
+    const double buckles = 0.05;
+    const Sheet sheet = equilateral_sheet(4, 4, edge);
+    Looked looked(
+        sheet, k_compression,
+        [&](const Vec2& u) { return Vec3((1.0 - compression) * u.x(), 0.0, u.y()); }, at_rest);
+    FabricParams& fabric = looked.cloth.params.fabric;
+    fabric.stretch_stiffness = {800.0, 1200.0};
+    // a wave of length L under the force P a width: P = B (2 pi / L)^2
+    fabric.bend_stiffness = buckles * 1000.0 / std::pow(std::numbers::pi / edge, 2);
+    looked.look();
+
+    for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
+        if (std::abs(looked.cloth.rest[t].area - std::sqrt(3.0) / 4.0 * edge * edge) < 1e-12) {
+            EXPECT_NEAR(looked.coarseness[t], compression / buckles, 1e-9);
+        }
+    }
+    EXPECT_GT(*std::max_element(looked.coarseness.begin(), looked.coarseness.end()), 0.79);
 }
 
 TEST(Coarseness, OfVelocityIsItsGreatestDifferenceAlongAnEdge) {
