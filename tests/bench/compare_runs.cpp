@@ -3,8 +3,9 @@
 ///
 /// Measured at the reference's vertices, each weighted by its share of the flat pattern's area:
 /// - to the same material point of the run, found by u v; where the pattern lies on itself
-/// (garments
-///   of several charts) the nearest of the places with this u v; vertices outside are left out;
+///   (garments of several charts) the nearest of the places with this u v; vertices outside are
+///   left out, and so are triangles over a cut of the pattern, whose corners have the u v of
+///   different sides;
 /// - to the nearest point of the run's surface.
 /// Prints a table: size (diagonal of the cloth's box at the first frame, m), rms and greatest of
 /// both distances (m), and the least angle of the run's triangles in the flat pattern (degrees).
@@ -33,6 +34,10 @@ namespace {
 constexpr double k_outside = 1e-4;
 constexpr double k_margin = 1e-5; ///< the same in m, of the search
 
+/// A triangle whose pattern is longer than the cloth's by more than this much of what it is on
+/// average lies over a cut. Charts differ in scale by less than twice, cuts by ten times and more.
+constexpr double k_cut = 3.0;
+
 std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
 }
@@ -50,7 +55,33 @@ struct Surface {
     std::vector<Vec3> positions; ///< m
     std::vector<Vec3> pattern;   ///< u v 0, m
     std::vector<Triangle> triangles;
+    std::vector<Triangle> uncut; ///< those of them that lie in the pattern
 };
+
+double longest_edge(const std::vector<Vec3>& points, const Triangle& t) {
+    const auto edge = [&](std::size_t a, std::size_t b) {
+        return (points[at(t[a])] - points[at(t[b])]).norm();
+    };
+    return std::max({edge(0, 1), edge(1, 2), edge(2, 0)});
+}
+
+/// The triangles that do not lie over a cut of the pattern.
+std::vector<Triangle> uncut_triangles(const Surface& surface) {
+    std::vector<double> scales;
+    for (const Triangle& t : surface.triangles) {
+        scales.push_back(longest_edge(surface.pattern, t) / longest_edge(surface.positions, t));
+    }
+    std::vector<double> sorted = scales;
+    const auto middle = sorted.begin() + static_cast<long>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    std::vector<Triangle> uncut;
+    for (std::size_t i = 0; i < scales.size(); ++i) {
+        if (scales[i] < k_cut * *middle) {
+            uncut.push_back(surface.triangles[i]);
+        }
+    }
+    return uncut;
+}
 
 Surface surface_of(const Frame& frame) {
     Surface surface;
@@ -67,6 +98,7 @@ Surface surface_of(const Frame& frame) {
             surface.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
         }
     }
+    surface.uncut = uncut_triangles(surface);
     return surface;
 }
 
@@ -87,7 +119,7 @@ double pattern_area(const Surface& surface, const Triangle& t) {
 
 std::vector<double> vertex_areas(const Surface& surface) {
     std::vector<double> areas(surface.positions.size(), 0.0);
-    for (const Triangle& t : surface.triangles) {
+    for (const Triangle& t : surface.uncut) {
         for (const Index v : t) {
             areas[at(v)] += pattern_area(surface, t) / 3.0;
         }
@@ -97,7 +129,7 @@ std::vector<double> vertex_areas(const Surface& surface) {
 
 double least_angle_deg(const Surface& surface) {
     double greatest_cosine = -1.0;
-    for (const Triangle& t : surface.triangles) {
+    for (const Triangle& t : surface.uncut) {
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3& corner = surface.pattern[at(t[k])];
             const Vec3 a = surface.pattern[at(t[(k + 1) % 3])] - corner;
@@ -121,13 +153,13 @@ class Distances {
 public:
     explicit Distances(const Surface& surface)
         : surface_(surface), in_space_(tree_of(surface.positions, surface.triangles)),
-          in_pattern_(tree_of(surface.pattern, surface.triangles)) {}
+          in_pattern_(tree_of(surface.pattern, surface.uncut)) {}
 
     /// To the place of material point u; empty: it is not in the pattern.
     std::optional<double> to_material(const Vec3& p, const Vec3& u) const {
         std::optional<double> least;
         in_pattern_.query(segment_box(u, u, 0.0), [&](Index i) {
-            const Triangle& t = surface_.triangles[at(i)];
+            const Triangle& t = surface_.uncut[at(i)];
             const auto corner = [&](std::size_t k) { return surface_.pattern[at(t[k])]; };
             const Vec3 w = weights_in_plane(u, corner(0), corner(1), corner(2));
             if (w.minCoeff() > -k_outside) {
