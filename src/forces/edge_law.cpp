@@ -1,0 +1,64 @@
+#include "forces/edge_law.h"
+
+#include "forces/edge_kernel.h"
+
+namespace weft {
+
+CubicCoefficients cubic_coefficients(const LawShape& shape, double stiffness, double rest_length) {
+    const auto [p, q] = shape;
+    const double L = rest_length;
+    return {stiffness * q / (3.0 * L * L), stiffness * (p - 2.0 * q) / (2.0 * L),
+            stiffness * (1.0 - p + q), -stiffness * L * (1.0 - p / 2.0 + q / 3.0)};
+}
+
+namespace {
+
+/// Share of the way to where a limit has no bound from which on it goes straight on.
+constexpr double k_straight = 0.95;
+
+/// How far past a limit its force has no bound, as a share of it.
+constexpr double k_limit_width = 0.01;
+
+/// Energy over force and width, force, and its derivative by u.
+EdgeResponse wall(double u) {
+    const double w = std::min(u, k_straight);
+    const double rest = 1.0 - w;
+    const double force = w * w / rest;
+    const double slope = w * (2.0 - w) / (rest * rest);
+    const double beyond = u - w;
+    return {-0.5 * w * w - w - std::log1p(-w) + beyond * (force + 0.5 * beyond * slope),
+            force + beyond * slope, slope};
+}
+
+} // namespace
+
+EdgeResponse limit_response(const StretchLimit& limit, double rest_length, double s) {
+    const bool is_long = s > limit.greatest;
+    if (limit.force == 0.0 || (!is_long && s >= limit.least)) {
+        return {};
+    }
+    const double bound = is_long ? limit.greatest : limit.least;
+    const double width = k_limit_width * bound;
+    const EdgeResponse unit = wall((is_long ? s - bound : bound - s) / width);
+    return {limit.force * width * rest_length * unit.energy,
+            (is_long ? limit.force : -limit.force) * unit.tension,
+            limit.force / (width * rest_length) * unit.stiffness};
+}
+
+ElementTerms<2> edge_terms(const std::array<Vec3, 2>& x,
+                           const std::array<Vec3, 2>& v,
+                           double stiffness,
+                           double rest_length,
+                           const EdgeLaw& law,
+                           SystemScales scales) {
+    const EdgeKernel kernel(law, stiffness, rest_length, x[0] - x[1]);
+    ElementTerms<2> terms;
+    terms.energy = kernel.energy(law, stiffness, rest_length);
+    const Vec3 force = kernel.force(law, v[0] - v[1]);
+    terms.force = {force, Vec3(-force)};
+    const Mat3 block = kernel.block(law, stiffness, rest_length, scales);
+    terms.stiffness = {block, Mat3(-block), block};
+    return terms;
+}
+
+} // namespace weft

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "forces/element_terms.h"
+#include "scene/law_shape.h"
+
+/// The force along one edge that joins two particles: Vogiannou et al. 2010, and the two laws that
+/// they compare it with. With r the length now and L at rest, s = r / L,
+///
+///     force on end 0 = -g(r) (x0 - x1) / r        and the opposite on end 1
+///     df0/dx1 = H = (g / r) (I - n n^T) + g' n n^T,   df0/dx0 = -H
+///
+/// with the tension g positive under stretch. As printed, (2) of the paper has the opposite sign,
+/// which fits neither its curves nor its Jacobian (3).
+namespace weft {
+
+/// Energy (J), tension (N) and stiffness (N/m) along an edge at some length.
+struct EdgeResponse {
+    double energy = 0.0, tension = 0.0, stiffness = 0.0;
+};
+
+/// Of the law alone at stretch s >= 0; in powers of s - 1, which do not cancel near rest.
+/// @param stiffness  K, N/m
+/// @param rest_length  L, m, > 0
+inline EdgeResponse
+edge_response(const LawShape& shape, double stiffness, double rest_length, double s) {
+    const double e = s - 1.0;
+    const double kl = stiffness * rest_length;
+    return {kl * rest_length * e * e * (0.5 + e * (shape.p / 6.0 + e * (shape.q / 12.0))),
+            kl * e * (1.0 + e * (0.5 * shape.p + e * (shape.q / 3.0))),
+            stiffness * (1.0 + e * (shape.p + e * shape.q))};
+}
+
+/// g(r) = a r^3 + b r^2 + c r + d, the form of the paper: numbers that cancel to nine digits for
+/// small edges, so nothing is computed with them but what scales them apart.
+struct CubicCoefficients {
+    double a, b, c, d; ///< N/m^3, N/m^2, N/m, N
+};
+CubicCoefficients cubic_coefficients(const LawShape& shape, double stiffness, double rest_length);
+
+/// What holds an edge within stretches [least, greatest], on top of its law: nothing between them,
+/// beyond them
+///
+///     T = force u^2 / (1 - u),   u = (s - greatest) / (0.01 greatest)
+///
+/// and the like below: convex, with a continuous stiffness, and without bound at 1 % beyond. From
+/// u = 0.95 on it goes straight on, so that a step that lands far outside finds its way back. So
+/// 18 times `force` stretches an edge by 0.95 %, 38 times by 1 %, whatever its K.
+struct StretchLimit {
+    double least = 0.0; ///< 0: none
+    double greatest = k_forever;
+    double force = 0.0; ///< N; 0: no limit at all
+};
+EdgeResponse limit_response(const StretchLimit& limit, double rest_length, double s);
+
+/// All that is the same for edges of one kind in an object.
+struct EdgeLaw {
+    LawShape shape;
+    double damping = 0.0;          ///< N s/m, see edge_terms
+    double jacobian_damping = 1.0; ///< see edge_terms
+    StretchLimit limit;
+};
+
+/// Least stiffness along an edge that the Jacobian has, as a share of K. Smaller: an edge of
+/// negative stiffness is carried past its ends in one step; larger: Newton needs more steps there.
+inline constexpr double k_least_stiffness = 0.1;
+
+/// While a limit holds, the edge is damped by this time (s) times the limit's stiffness: a step
+/// that is linearised once passes the limit before it meets it, and would bounce back.
+inline constexpr double k_limit_damping_time = 0.02;
+
+/// Energy, force and the system blocks scales.stiffness * K + scales.damping * D of one edge.
+///
+/// The energy's second derivative has the eigenvalues g' along the edge and, twice, g / r across.
+/// They are made positive where they are not (along: k_least_stiffness; across, which is under
+/// compression: 0), so blocks are positive definite, and exact under tension of a monotone law.
+///
+/// `damping` is a force -damping (v0 - v1) on end 0: as in the paper along the relative velocity,
+/// so it slows the turning of an edge as well as its change of length.
+///
+/// `jacobian_damping` f scales b and d of the law in the Jacobian alone, as the paper does with
+/// 0.99. What it does: b and d are large and cancel, so it adds (1 - f) 2 |b| r along the edge and
+/// (1 - f) (|b| r + |d| / r) across it: at rest, for K1 = 6 K, K2 = 2 K, a = 1.1, 0.9 and f = 0.99,
+/// 5.8 K and 3.8 K. The edge moves as if 6.8 times as stiff in a step and with a stiffness against
+/// turning that it has not, which the next step takes back: damping that grows with the time step.
+/// Where it comes to rest is not changed.
+///
+/// Ends that coincide have no direction: the force is zero there, the blocks are bounded.
+ElementTerms<2> edge_terms(const std::array<Vec3, 2>& x,
+                           const std::array<Vec3, 2>& v,
+                           double stiffness,
+                           double rest_length,
+                           const EdgeLaw& law,
+                           SystemScales scales);
+
+} // namespace weft

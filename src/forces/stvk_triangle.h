@@ -1,0 +1,46 @@
+#pragma once
+
+#include "forces/element_terms.h"
+#include "forces/membrane.h"
+
+namespace weft {
+
+/// One Saint Venant-Kirchhoff triangle: stress linear in the Green strain of the deformation
+/// gradient F = [U V] (3×2, axis 0 weft, axis 1 warp),
+///
+///     W = A/2 e^T C e,   e = ((U.U - 1)/2, (V.V - 1)/2, U.V)
+///
+/// As all of its kind it loses its stiffness under compression: along an axis below the stretch
+/// 0.577. Source: Volino et al. 2009.
+double stvk_energy(const Corners& x, const RestTriangle& rest, const MembraneStiffness& c);
+
+/// Energy, force and the system blocks scales.stiffness * K + scales.damping * D.
+///
+/// K is the second derivative of the energy with the stress of its geometric part made positive
+/// semidefinite: exact where the triangle is not compressed.
+///
+/// @param damping  N s/m: each of two triangles at an edge gives half of a force
+///                 -damping (v0 - v1) on end 0, as an edge's own (edge_terms)
+ElementTerms<3> stvk_terms(const Corners& x,
+                           const Corners& v,
+                           const RestTriangle& rest,
+                           const MembraneStiffness& c,
+                           double damping,
+                           SystemScales scales);
+
+/// The same force without the blocks.
+Corners stvk_forces(const Corners& x,
+                    const Corners& v,
+                    const RestTriangle& rest,
+                    const MembraneStiffness& c,
+                    double damping);
+
+/// Moduli of cloth of this model. From K: those of a network of equilateral triangles whose edges
+/// have stiffness K, so that it compares with the models of edges,
+///
+///     Young's modulus (times thickness) 2 K / sqrt 3, poisson 1/3, shear sqrt(3)/4 K.
+///
+/// With `calibrate` those of the fabric.
+MembraneStiffness stvk_stiffness(const ClothParams& cloth);
+
+} // namespace weft
