@@ -1,5 +1,7 @@
 #include "adapt/renumber_world.h"
 
+#include "state/number_bodies.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -69,6 +71,7 @@ void renumber_world(World& world,
     for (std::size_t c = index + 1; c < world.cloths.size(); ++c) {
         world.cloths[c].first_vertex += shift;
     }
+    number_bodies(world);
     std::erase_if(world.pins,
                   [&](const Pin& pin) { return pin.vertex >= first && pin.vertex < old_end; });
     for (Pin& pin : world.pins) {

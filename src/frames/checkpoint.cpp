@@ -196,6 +196,13 @@ std::uint64_t geometry_hash(const World& start) {
             hash.add(std::span<const double>(rest.inverse_edges.data(), 4));
         }
     }
+    for_each_body(start, [&](const Body& body) {
+        add(hash, body.triangles);
+        for (const Carrier& carrier : body.carriers) {
+            hash.add(std::span<const Index>(carrier.particles));
+            hash.add(std::span<const double>(carrier.weights));
+        }
+    });
     for (const AttachedPair& pair : start.attached_pairs) {
         hash.add(std::span<const Index>(pair.vertices));
         hash.add(std::span<const double>(pair.weights));

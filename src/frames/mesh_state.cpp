@@ -1,5 +1,7 @@
 #include "frames/mesh_state.h"
 
+#include "state/number_bodies.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -125,7 +127,7 @@ bool are_of_one_mesh(const Cloth& cloth) {
            refinement.locked.size() == edges;
 }
 
-/// Vertices of later cloths, and what names them, move along.
+/// Vertices of later cloths and of bodies, and what names them, move along.
 void set_first_vertices(World& world) {
     Index next = 0;
     for (Cloth& cloth : world.cloths) {
@@ -142,6 +144,7 @@ void set_first_vertices(World& world) {
         cloth.first_vertex = next;
         next += cloth.vertex_count;
     }
+    number_bodies(world);
     for (AttachedPair& pair : world.attached_pairs) {
         for (Index& v : pair.vertices) {
             v = v < -1 ? -2 - v : v;
@@ -193,6 +196,9 @@ std::string decode_meshes(std::string_view bytes, World& world) {
         vertices += static_cast<std::size_t>(cloth.vertex_count);
         are_meshes = are_meshes && (!is_adaptive(cloth) || are_of_one_mesh(cloth));
     }
+    for_each_body(world, [&](const Body& body) {
+        vertices += static_cast<std::size_t>(body.vertex_count + body.particle_count);
+    });
     if (!are_meshes || world.masses.size() != vertices) {
         return "its meshes cannot be unpacked";
     }

@@ -21,6 +21,9 @@ std::string essence(Scene scene) {
     for (ClothParams& cloth : scene.cloths) {
         cloth.mesh.file = std::filesystem::path(cloth.mesh.file).filename().string();
     }
+    for (SolidParams& solid : scene.solids) {
+        solid.mesh.file = std::filesystem::path(solid.mesh.file).filename().string();
+    }
     for (ObstacleParams& obstacle : scene.obstacles) {
         obstacle.mesh.file = std::filesystem::path(obstacle.mesh.file).filename().string();
         obstacle.animation.cache = std::filesystem::path(obstacle.animation.cache).filename();

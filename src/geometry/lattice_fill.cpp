@@ -56,7 +56,9 @@ public:
         find_parts();
         make_particles();
         share_volumes();
-        place_surface();
+        if (!parts_.empty()) {
+            place_surface();
+        }
         return std::move(fill_);
     }
 

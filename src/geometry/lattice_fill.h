@@ -36,7 +36,7 @@ struct LatticeEdge {
 /// its outer quads, split in alternating directions, as the surface.
 LatticeFill fill_box(const std::array<int, 3>& cells, double spacing);
 
-/// Fills what a raster of `surface` holds.
+/// Fills what a raster of `surface` holds; without places when that is nothing.
 ///
 /// Parts of the surface's inside that pass through one cell side by side get a copy of that cell
 /// each when a layer of fine cells (k_fine a cell) lies free between them, and the copies share

@@ -183,6 +183,14 @@ std::string problem(const SolidParams& params) {
         finding.positive(element("box", i), params.box[i], "m");
     }
     finding.positive("spacing", params.spacing, "m");
+    for (Eigen::Index i = 0; i < 3 && params.mesh.file.empty() && finding.text().empty(); ++i) {
+        const double scale = params.placement.scale;
+        const double cells = params.box[i] * scale / params.spacing;
+        const double nearest = std::max(1.0, std::round(cells));
+        finding.require(std::abs(cells - nearest) <= 1e-6, element("box", i), params.box[i],
+                        fmt::format("a whole number of spacings; the nearest is {:.9g} m",
+                                    nearest * params.spacing / scale));
+    }
     finding.positive("thickness", params.thickness, "m");
     check_friction(finding, params.friction, params.static_friction);
     return finding.text();

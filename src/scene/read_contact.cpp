@@ -13,14 +13,14 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 }
 
 std::array<std::string, 2> read_between(TomlTable& table,
-                                        const std::vector<std::string>& cloths,
+                                        const std::vector<std::string>& movers,
                                         const std::vector<std::string>& obstacles) {
     std::vector<std::string> names;
     table.read("between", names);
     if (names.size() != 2) {
         table.fail("between", "must be the names of two objects");
     }
-    std::vector<std::string> known = cloths;
+    std::vector<std::string> known = movers;
     known.insert(known.end(), obstacles.begin(), obstacles.end());
     for (const std::string& name : names) {
         if (!contains(known, name)) {
@@ -28,8 +28,8 @@ std::array<std::string, 2> read_between(TomlTable& table,
                                               nearest_key(name, known)));
         }
     }
-    if (!contains(cloths, names[0]) && !contains(cloths, names[1])) {
-        table.fail("between", "must name a cloth: obstacles do not touch each other");
+    if (!contains(movers, names[0]) && !contains(movers, names[1])) {
+        table.fail("between", "must name one that moves: obstacles do not touch each other");
     }
     return {names[0], names[1]};
 }
@@ -52,7 +52,7 @@ bool read_friction(TomlTable& table, double& friction, std::optional<double>& st
 }
 
 ContactParams read_contact(TomlTable table,
-                           const std::vector<std::string>& cloths,
+                           const std::vector<std::string>& movers,
                            const std::vector<std::string>& obstacles) {
     ContactParams params;
     table.read_choice("start_overlap", params.start_overlap,
@@ -62,7 +62,7 @@ ContactParams read_contact(TomlTable table,
     table.read("self", params.self);
     table.read("enabled", params.enabled);
     for (TomlTable& entry : table.tables("friction")) {
-        FrictionPair pair{.between = read_between(entry, cloths, obstacles)};
+        FrictionPair pair{.between = read_between(entry, movers, obstacles)};
         const bool given = read_friction(entry, pair.friction, pair.static_friction);
         entry.finish();
         if (!given) {

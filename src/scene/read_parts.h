@@ -8,9 +8,9 @@
 namespace weft {
 
 SceneParams read_scene_params(TomlTable table);
-/// @param cloths, obstacles  names that `[[contact.friction]]` may speak of
+/// @param movers, obstacles  names that `[[contact.friction]]` may speak of
 ContactParams read_contact(TomlTable table,
-                           const std::vector<std::string>& cloths,
+                           const std::vector<std::string>& movers,
                            const std::vector<std::string>& obstacles);
 /// @param base_dir   what the path of a fabric file is relative to
 /// @param obstacles  names that a pin may follow
@@ -20,6 +20,8 @@ ClothParams read_cloth(TomlTable table,
 /// One `[[cloth.pin]]`.
 PinParams read_pin(TomlTable table, const std::vector<std::string>& obstacles);
 ObstacleParams read_obstacle(TomlTable table);
+/// @param leaders  names that a pin may follow
+SolidParams read_solid(TomlTable table, const std::vector<std::string>& leaders);
 /// @param cloths  names that a side may have
 AttachParams read_attach(TomlTable table, const std::vector<std::string>& cloths);
 RenderParams read_render(TomlTable table);

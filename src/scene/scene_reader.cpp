@@ -32,6 +32,10 @@ void read_objects(TomlTable& root, Scene& scene) {
         require_unique_name(table, scene.cloths.back().name, taken);
         cloth_names.push_back(scene.cloths.back().name);
     }
+    for (const TomlTable& table : root.tables("solid")) {
+        scene.solids.push_back(read_solid(table, obstacle_names));
+        require_unique_name(table, scene.solids.back().name, taken);
+    }
     taken.clear(); // these name no files
     for (const TomlTable& table : root.tables("attach")) {
         scene.attachments.push_back(read_attach(table, cloth_names));
@@ -51,23 +55,23 @@ Scene read_tree(const toml::table& tree, const std::filesystem::path& base_dir) 
     TomlTable root(tree, "");
     Scene scene;
     scene.base_dir = base_dir;
-    for (const char* later : {"solid", "rigid"}) {
-        root.refuse_later(later);
-    }
+    root.refuse_later("rigid");
     if (root.has("scene")) {
         scene.scene = read_scene_params(root.table("scene"));
     }
     read_objects(root, scene);
     if (root.has("contact")) {
-        scene.contact =
-            read_contact(root.table("contact"), names_of(scene.cloths), names_of(scene.obstacles));
+        std::vector<std::string> movers = names_of(scene.cloths);
+        const std::vector<std::string> solids = names_of(scene.solids);
+        movers.insert(movers.end(), solids.begin(), solids.end());
+        scene.contact = read_contact(root.table("contact"), movers, names_of(scene.obstacles));
     }
     if (root.has("render")) {
         scene.render = read_render(root.table("render"));
     }
     root.finish();
-    if (scene.cloths.empty()) {
-        root.fail("needs a [[cloth]]: nothing would move");
+    if (scene.cloths.empty() && scene.solids.empty()) {
+        root.fail("needs a [[cloth]] or [[solid]]: nothing would move");
     }
     return scene;
 }

@@ -130,8 +130,8 @@ void write_adapt(TomlWriter& out, const AdaptParams& adapt) {
     out.line("max_triangles", adapt.max_triangles);
 }
 
-void write_pin(TomlWriter& out, const PinParams& pin) {
-    out.header("[[cloth.pin]]");
+void write_pin(TomlWriter& out, std::string_view header, const PinParams& pin) {
+    out.header(header);
     if (!pin.vertices.empty()) {
         out.line("vertices", pin.vertices);
     }
@@ -188,7 +188,31 @@ void write_cloth(TomlWriter& out,
         write_adapt(out, cloth.adapt);
     }
     for (const PinParams& pin : cloth.pins) {
-        write_pin(out, pin);
+        write_pin(out, "[[cloth.pin]]", pin);
+    }
+}
+
+void write_solid(TomlWriter& out,
+                 const Scene& scene,
+                 const std::filesystem::path& folder,
+                 const SolidParams& solid) {
+    out.header("[[solid]]");
+    out.line("name", solid.name);
+    if (solid.mesh.file.empty()) {
+        out.line("box", solid.box, "m");
+    } else {
+        write_mesh_source(out, scene, folder, solid.mesh);
+        out.line("fill", solid.fills_open ? "winding" : "closed");
+    }
+    out.line("spacing", solid.spacing, "m");
+    write_placement(out, solid.placement);
+    out.line("velocity", solid.velocity, "m/s");
+    out.line("model", model_name(solid.model));
+    out.line("thickness", solid.thickness, "m");
+    write_friction(out, solid.friction, solid.static_friction);
+    write_spring(out, "[solid.spring]", solid.model, solid.spring);
+    for (const PinParams& pin : solid.pins) {
+        write_pin(out, "[[solid.pin]]", pin);
     }
 }
 
@@ -316,6 +340,9 @@ std::string write_scene(const Scene& scene, const std::filesystem::path& folder)
     write_contact(out, scene.contact);
     for (const ClothParams& cloth : scene.cloths) {
         write_cloth(out, scene, folder, cloth);
+    }
+    for (const SolidParams& solid : scene.solids) {
+        write_solid(out, scene, folder, solid);
     }
     for (const ObstacleParams& obstacle : scene.obstacles) {
         write_obstacle(out, scene, folder, obstacle);

@@ -89,8 +89,50 @@ Index find_obstacle(const World& world, const std::string& name, const std::stri
     fail_input("{}.to = \"{}\": no obstacle has this name", place, name);
 }
 
+void select_in_box(const PinParams& pin,
+                   std::span<const Vec3> positions,
+                   std::vector<Index>& selected) {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        if ((positions[i].array() >= pin.box_min.array()).all() &&
+            (positions[i].array() <= pin.box_max.array()).all()) {
+            selected.push_back(static_cast<Index>(i));
+        }
+    }
+}
+
+std::string pin_place(const Solid& solid, std::size_t pin_number) {
+    return fmt::format("solid '{}': pin[{}]", solid.body.name, pin_number);
+}
+
 std::string pin_place(const Cloth& cloth, std::size_t pin_number) {
     return fmt::format("cloth '{}': pin[{}]", cloth.name, pin_number);
+}
+
+/// The pins of one group; `selected` counts from World vertex `first`.
+void add_pins(World& world,
+              const std::vector<Index>& selected,
+              Index first,
+              const PinParams& params,
+              const std::string& place) {
+    const auto group = static_cast<Index>(world.pin_groups.size());
+    world.pin_groups.push_back({params.move, params.until});
+    const std::size_t first_pin = world.pins.size();
+    for (const Index v : selected) {
+        const Vec3& x = world.positions[static_cast<std::size_t>(first + v)];
+        world.pins.push_back({first + v, x, {}, group});
+    }
+    if (params.to.empty()) {
+        return;
+    }
+    const Index obstacle = find_obstacle(world, params.to, place);
+    parallel_for(
+        selected.size(),
+        [&](std::size_t i) {
+            Pin& pin = world.pins[first_pin + i];
+            pin.anchor =
+                anchor_to(world.obstacles[static_cast<std::size_t>(obstacle)], obstacle, pin.start);
+        },
+        1);
 }
 
 } // namespace
@@ -109,13 +151,7 @@ std::vector<Index> select_pinned(const Cloth& cloth,
         selected.push_back(v);
     }
     if (pin.has_box) {
-        for (Index v = 0; v < cloth.vertex_count; ++v) {
-            const Vec3& x = positions[static_cast<std::size_t>(v)];
-            if ((x.array() >= pin.box_min.array()).all() &&
-                (x.array() <= pin.box_max.array()).all()) {
-                selected.push_back(v);
-            }
-        }
+        select_in_box(pin, positions, selected);
     }
     if (pin.corners) {
         const auto corners = find_corners(cloth);
@@ -134,30 +170,35 @@ std::vector<Index> select_pinned(const Cloth& cloth,
     return selected;
 }
 
+std::vector<Index> select_pinned(const World& world,
+                                 const Solid& solid,
+                                 const PinParams& pin,
+                                 std::size_t pin_number) {
+    const auto particles = std::span(world.positions)
+                               .subspan(static_cast<std::size_t>(solid.body.first_particle),
+                                        static_cast<std::size_t>(solid.body.particle_count));
+    std::vector<Index> selected;
+    select_in_box(pin, particles, selected);
+    if (selected.empty()) {
+        fail_input("{}.box: holds no particle; must hold at least one at t = 0",
+                   pin_place(solid, pin_number));
+    }
+    return selected;
+}
+
 void build_pins(World& world) {
     for (const Cloth& cloth : world.cloths) {
-        const auto positions = world.positions_of(cloth);
         for (std::size_t number = 0; number < cloth.params.pins.size(); ++number) {
-            const PinParams& params = cloth.params.pins[number];
-            const auto selected = select_pinned(cloth, params, number, positions);
-            const auto group = static_cast<Index>(world.pin_groups.size());
-            world.pin_groups.push_back({params.move, params.until});
-            const std::size_t first = world.pins.size();
-            for (const Index v : selected) {
-                const Vec3& x = positions[static_cast<std::size_t>(v)];
-                world.pins.push_back({cloth.first_vertex + v, x, {}, group});
-            }
-            if (!params.to.empty()) {
-                const Index obstacle = find_obstacle(world, params.to, pin_place(cloth, number));
-                parallel_for(
-                    selected.size(),
-                    [&](std::size_t i) {
-                        Pin& pin = world.pins[first + i];
-                        pin.anchor = anchor_to(world.obstacles[static_cast<std::size_t>(obstacle)],
-                                               obstacle, pin.start);
-                    },
-                    1);
-            }
+            const PinParams& pin = cloth.params.pins[number];
+            add_pins(world, select_pinned(cloth, pin, number, world.positions_of(cloth)),
+                     cloth.first_vertex, pin, pin_place(cloth, number));
+        }
+    }
+    for (const Solid& solid : world.solids) {
+        for (std::size_t number = 0; number < solid.params.pins.size(); ++number) {
+            const PinParams& pin = solid.params.pins[number];
+            add_pins(world, select_pinned(world, solid, pin, number), solid.body.first_particle,
+                     pin, pin_place(solid, number));
         }
     }
     const auto by_vertex = [](const Pin& a, const Pin& b) { return a.vertex < b.vertex; };

@@ -12,8 +12,13 @@ std::vector<Index> select_pinned(const Cloth& cloth,
                                  std::size_t pin_number,
                                  std::span<const Vec3> positions);
 
-/// Adds the pins of all cloths to world.pins and world.pin_groups. Where two pins select the same
-/// vertex the first holds it.
+/// Particles (of the solid alone, ascending) that a `[[solid.pin]]` selects at the start.
+/// Throws Error (BadInput) naming solid and pin when it selects none.
+std::vector<Index>
+select_pinned(const World& world, const Solid& solid, const PinParams& pin, std::size_t pin_number);
+
+/// Adds the pins of all cloths and solids to world.pins and world.pin_groups. Where two pins select
+/// the same vertex the first holds it.
 void build_pins(World& world);
 
 /// Lets the pins hold their vertices, and follow what they follow, from where the vertices are now

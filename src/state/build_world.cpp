@@ -2,6 +2,7 @@
 #include "state/build_cloth.h"
 #include "state/build_obstacle.h"
 #include "state/build_pins.h"
+#include "state/build_solid.h"
 #include "state/world.h"
 
 namespace weft {
@@ -10,6 +11,9 @@ World build_world(const Scene& scene, const std::function<void(const std::string
     World world;
     for (const ClothParams& params : scene.cloths) {
         append_cloth(world, params, scene.base_dir, warn);
+    }
+    for (const SolidParams& params : scene.solids) {
+        append_solid(world, params, scene.base_dir, warn);
     }
     for (const ObstacleParams& params : scene.obstacles) {
         world.obstacles.push_back(build_obstacle(params, scene.base_dir, scene.scene.fps, warn));

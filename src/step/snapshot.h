@@ -1,5 +1,6 @@
 #pragma once
 
+#include "state/number_bodies.h"
 #include "state/world.h"
 
 namespace weft {
@@ -25,6 +26,7 @@ public:
         world.previous_velocities = previous_velocities_;
         world.contact_memory = contact_memory_;
         world.cloths = cloths_;
+        number_bodies(world);
         world.pins = pins_;
         world.attached_pairs = attached_pairs_;
         world.attached_states = attached_states_;

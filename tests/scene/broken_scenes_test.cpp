@@ -22,6 +22,11 @@ std::string cloth(const std::string& keys) {
     return "[[cloth]]\nname = \"flag\"\ngrid = {}\n" + keys;
 }
 
+/// A solid in two lines, then its keys.
+std::string solid(const std::string& keys) {
+    return "[[solid]]\nname = \"cube\"\n" + keys;
+}
+
 std::string message_of(const std::string& text) {
     try {
         read_scene_text(text, "a.toml", "");
@@ -40,7 +45,7 @@ std::string friction(const std::string& between, double coefficient = 0.5) {
 }
 
 const std::vector<Broken> k_broken{
-    {"nothing", "", "a.toml:1:1: needs a [[cloth]]: nothing would move"},
+    {"nothing", "", "a.toml:1:1: needs a [[cloth]] or [[solid]]: nothing would move"},
     {"unknown table", "[secne]\nframes = 3\n" + cloth(""),
      "a.toml:1:2: secne: unknown key; the nearest is scene"},
     {"unknown key", "[scene]\nframe = 3\n" + cloth(""),
@@ -144,7 +149,7 @@ const std::vector<Broken> k_broken{
     {"friction of one", cloth("") + friction("\"flag\""),
      "a.toml:5:11: contact.friction[0].between = \"flag\": must be the names of two objects"},
     {"friction of obstacles", k_ball + cloth("") + friction("[\"ball\", \"ball\"]"),
-     "a.toml:8:11: contact.friction[0].between = [\"ball\", \"ball\"]: must name a cloth: "
+     "a.toml:8:11: contact.friction[0].between = [\"ball\", \"ball\"]: must name one that moves: "
      "obstacles "
      "do not touch each other"},
     {"friction without a number",
@@ -158,6 +163,25 @@ const std::vector<Broken> k_broken{
      "entry has the same two"},
     {"range the wrong way", cloth("") + "[render]\nrange = [1.2, 0.9]\n",
      "a.toml:5:15: render.range[1] = 0.9: must be > range[0], 1.2"},
+    {"solid of nothing", "[[solid]]\nname = \"cube\"\n", "a.toml:1:1: solid[0]: needs mesh or box"},
+    {"solid of two things", "[[solid]]\nname = \"cube\"\nmesh = \"a.obj\"\nbox = [1.0, 1.0, 1.0]\n",
+     "a.toml:1:1: solid[0]: has mesh and box: must be one of them"},
+    {"box between two numbers of cells", solid("spacing = 0.02\nbox = [0.16, 0.165, 0.16]\n"),
+     "a.toml:4:14: solid[0].box[1] = 0.165: must be a whole number of spacings; the nearest is "
+     "0.16 m"},
+    {"box without depth", solid("box = [1.0, 1.0, 0.0]\n"),
+     "a.toml:3:18: solid[0].box[2] = 0: must be > 0 m"},
+    {"filling of a box", solid("box = [1.0, 1.0, 1.0]\nfill = \"winding\"\n"),
+     "a.toml:4:8: solid[0].fill = \"winding\": needs mesh, whose inside it tells"},
+    {"model of cloth", solid("box = [1.0, 1.0, 1.0]\nmodel = \"stvk_triangle\"\n"),
+     "a.toml:4:9: solid[0].model = \"stvk_triangle\": must be \"cubic\", \"linear\" or "
+     "\"stvk_edge\""},
+    {"slip in a solid", solid("box = [1.0, 1.0, 1.0]\nspaceing = 0.1\n"),
+     "a.toml:4:1: solid[0].spaceing: unknown key; the nearest is spacing"},
+    {"vertices of a solid", solid("box = [1.0, 1.0, 1.0]\n[[solid.pin]]\nvertices = [1]\n"),
+     "a.toml:5:12: solid[0].pin[0].vertices = [1]: is of cloth; particles are held by box"},
+    {"solid and cloth of one name", cloth("") + "[[solid]]\nname = \"flag\"\nbox = [1, 1, 1]\n",
+     "a.toml:5:8: solid[0].name = \"flag\": must be unique: another one has it"},
     {"camera without target", cloth("") + "[render]\ncamera = { eye = [0, 0, 1] }\n",
      "a.toml:5:10: render.camera: needs eye and target"},
     {"unknown map", cloth("") + "[render]\nmap = \"jet\"\n",
@@ -197,7 +221,6 @@ const std::vector<Broken> k_not_yet{
      "a.toml:5:15: cloth[0].adapt.compression = 1: must be 0 to below 1"},
     {"curvature", cloth("[cloth.adapt]\ncurvature = -0.1\n"),
      "a.toml:5:13: cloth[0].adapt.curvature = -0.1: must be >= 0"},
-    {"solids", "[[solid]]\nname = \"cube\"\n" + cloth(""), "a.toml:1:1: solid: not there yet"},
     {"rigid bodies", "[[rigid]]\nname = \"ball\"\n" + cloth(""),
      "a.toml:1:1: rigid: not there yet"},
 };
