@@ -56,6 +56,9 @@ bool Sqrt3Mesh::refine(Index t) {
                 return false;
             }
         } else if (is_cut_in_three(e)) {
+            if (!can_refine(t)) { // its mate has only now become equal
+                return false;
+            }
             if (!has_room_for(edge(e).is_boundary() ? 2 : 4)) {
                 return false;
             }

@@ -262,6 +262,21 @@ TEST(Sqrt3Mesh, NothingIsFinerThanTheLevelAllowed) {
     }
 }
 
+TEST(Sqrt3Mesh, NoHistoryGoesBeyondTheLevelAllowed) {
+    for (unsigned seed = 0; seed < 60; ++seed) {
+        const Index most = 1 + static_cast<Index>(seed % 3);
+        MeshHistory history(some_cloth(seed / 3), seed, most);
+        history.refuse(0.2);
+        history.run(6, 20, 0.8);
+        history.refuse(0.0);
+        for (int i = 0; i < 2 * most; ++i) {
+            history.refine_all();
+        }
+
+        EXPECT_EQ(history.finest_level(), most);
+    }
+}
+
 TEST(Sqrt3Mesh, FrozenTrianglesStayWhatTheyAre) {
     for (unsigned seed = 0; seed < 90; ++seed) {
         Cloth start = some_cloth(seed);
