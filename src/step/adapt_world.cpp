@@ -75,11 +75,15 @@ AdaptionHooks make_hooks(StateTransfer& transfer, AdaptionReport& report) {
     return hooks;
 }
 
-/// Is the fold across the edge that a flip takes away shallow?
+/// Are the folds across the edge that a flip takes away and across the one that it puts in shallow?
+/// The second is the deeper one where a flip is taken back: to the long edge of flat triangles.
 bool is_shallow(const StateTransfer& transfer, const EdgeFlip& flip) {
-    return std::abs(dihedral_angle(transfer.position(flip.edge[0]), transfer.position(flip.edge[1]),
-                                   transfer.position(flip.apex[0]),
-                                   transfer.position(flip.apex[1]))) < k_deep_fold;
+    const Vec3& a = transfer.position(flip.edge[0]);
+    const Vec3& b = transfer.position(flip.edge[1]);
+    const Vec3& p = transfer.position(flip.apex[0]);
+    const Vec3& q = transfer.position(flip.apex[1]);
+    return std::abs(dihedral_angle(a, b, p, q)) < k_deep_fold &&
+           std::abs(dihedral_angle(p, q, b, a)) < k_deep_fold;
 }
 
 /// Of what moves the surface, lets only that be done that stretches no cloth and, where contact is
