@@ -91,7 +91,7 @@ std::vector<bool> subject_objects(const Frame& frame) {
         if (box.isEmpty()) {
             continue;
         }
-        if (frame.objects[i].kind == ObjectKind::Cloth) {
+        if (frame.objects[i].kind != ObjectKind::Obstacle) {
             counts[i] = true;
             subject.extend(box);
         } else {

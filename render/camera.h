@@ -13,9 +13,9 @@ namespace weft {
 
 using Mat4f = Eigen::Matrix4f;
 
-/// Which objects of a frame the picture is about: all cloth, and each obstacle that does not dwarf
-/// it (an obstacle whose diagonal is more than k_dwarfs times the rest is a floor or a room). One a
-/// frame object.
+/// Which objects of a frame the picture is about: all that moves by forces, and each obstacle that
+/// does not dwarf it (an obstacle whose diagonal is more than k_dwarfs times the rest is a floor or
+/// a room). One a frame object.
 std::vector<bool> subject_objects(const Frame& frame);
 inline constexpr double k_dwarfs = 4.0;
 

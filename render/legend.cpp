@@ -168,7 +168,7 @@ LegendContent describe_frame(const Frame& frame, int quantity, const ColourScale
     content.moment = fmt::format("frame {}   {:.3f} s", frame.number, frame.time);
     std::size_t cloths = 0;
     for (const FrameObject& object : frame.objects) {
-        if (object.kind != ObjectKind::Cloth) {
+        if (!has_quantities(object.kind)) {
             continue;
         }
         for (const float value : object.values[static_cast<std::size_t>(quantity)]) {

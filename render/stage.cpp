@@ -59,12 +59,18 @@ Stage build_stage(const Frame& frame, int quantity, const Box3& bounds, const Ve
     double floor_height = is_empty ? 0.0 : stage.subject.min().y() - k_floor_gap * radius;
 
     for (const FrameObject& object : frame.objects) {
+        const std::vector<float>& values = object.values[static_cast<std::size_t>(quantity)];
         if (object.kind == ObjectKind::Cloth) {
-            append_smooth(stage.cloth, object, object.values[static_cast<std::size_t>(quantity)]);
+            append_smooth(stage.cloth, object, values);
+            continue;
+        }
+        if (object.kind == ObjectKind::Solid && !values.empty()) {
+            append_creased(stage.cloth, object, values);
             continue;
         }
         const Box3 box = object_bounds(object);
-        if (!is_empty && !box.isEmpty() && is_level_slab(box, stage.subject)) {
+        if (object.kind == ObjectKind::Obstacle && !is_empty && !box.isEmpty() &&
+            is_level_slab(box, stage.subject)) {
             floor_height = box.max().y();
         } else {
             append_creased(stage.clay, object);

@@ -5,11 +5,12 @@
 
 namespace weft {
 
-/// A frame as the renderer draws it: all cloth, all obstacles, and the floor below them.
+/// A frame as the renderer draws it: cloth and solids in colours, the rest as clay, and the floor
+/// below them.
 struct Stage {
     Box3 subject;  ///< what counts for shadow and surroundings
     Surface cloth; ///< values of the shown quantity
-    Surface clay;  ///< obstacles
+    Surface clay;  ///< obstacles, rigid bodies, and solids that have no such quantity
     Surface floor; ///< a disc that only shows shadow; empty when the camera is below it
     Vec3f floor_centre = Vec3f::Zero();
     float floor_radius = 1.0F;

@@ -82,8 +82,9 @@ void append_smooth(Surface& surface, const FrameObject& object, std::span<const 
     }
 }
 
-void append_creased(Surface& surface, const FrameObject& object) {
+void append_creased(Surface& surface, const FrameObject& object, std::span<const float> values) {
     check(object);
+    assert(values.empty() || values.size() == object.positions.size());
     const Corners corners(object);
     std::vector<Vec3f> area_normals(object.triangles.size());
     std::vector<Vec3f> unit_normals(object.triangles.size());
@@ -119,7 +120,8 @@ void append_creased(Surface& surface, const FrameObject& object) {
         }
         const auto first_copy = static_cast<Index>(surface.positions.size());
         for (const Vec3f& normal : group_normal) {
-            push_vertex(surface, object.positions[v], unit_or_up(normal), 0.0F);
+            push_vertex(surface, object.positions[v], unit_or_up(normal),
+                        values.empty() ? 0.0F : values[v]);
         }
         for (std::size_t c = begin; c < end; ++c) {
             surface.triangles[base + corners.list[c] / 3][corners.list[c] % 3] =

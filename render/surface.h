@@ -29,7 +29,10 @@ struct Surface {
 void append_smooth(Surface& surface, const FrameObject& object, std::span<const float> values);
 
 /// Adds an object whose edges stay sharp where neighbouring triangles turn by more than 40 degrees:
-/// such a vertex is repeated, once for each group of triangles that are smooth together.
-void append_creased(Surface& surface, const FrameObject& object);
+/// such a vertex is repeated, once for each group of triangles that are smooth together. `values`
+/// is #V or empty.
+void append_creased(Surface& surface,
+                    const FrameObject& object,
+                    std::span<const float> values = {});
 
 } // namespace weft

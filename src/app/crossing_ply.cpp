@@ -1,6 +1,7 @@
 #include "app/crossing_ply.h"
 
 #include "geometry/crossing.h"
+#include "state/world_objects.h"
 
 #include <fmt/core.h>
 
@@ -19,33 +20,10 @@ std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
 }
 
-/// Positions and triangles of one object of a world, cloths first.
-class ObjectShape {
-public:
-    ObjectShape(const World& world, Index object) {
-        if (at(object) < world.cloths.size()) {
-            const Cloth& cloth = world.cloths[at(object)];
-            const auto x = world.positions_of(cloth);
-            positions_.assign(x.begin(), x.end());
-            triangles_ = cloth.triangles;
-        } else {
-            const Obstacle& obstacle = world.obstacles[at(object) - world.cloths.size()];
-            positions_.resize(obstacle.mesh.positions.size());
-            obstacle_positions(obstacle, world.time, positions_);
-            triangles_ = obstacle.mesh.triangles;
-        }
-    }
-
-    std::array<Vec3, 3> corners(Index triangle) const {
-        const Triangle& t = triangles_[at(triangle)];
-        return {positions_[at(t[0])], positions_[at(t[1])], positions_[at(t[2])]};
-    }
-    const Triangle& triangle(Index number) const { return triangles_[at(number)]; }
-
-private:
-    std::vector<Vec3> positions_;
-    std::vector<Triangle> triangles_;
-};
+std::array<Vec3, 3> corners_of(const TriangleMesh& mesh, Index triangle) {
+    const Triangle& t = mesh.triangles[at(triangle)];
+    return {mesh.positions[at(t[0])], mesh.positions[at(t[1])], mesh.positions[at(t[2])]};
+}
 
 std::string vertex_line(const Vec3& x, const char* colour) {
     return fmt::format("{:.9g} {:.9g} {:.9g} {}\n", x.x(), x.y(), x.z(), colour);
@@ -53,18 +31,18 @@ std::string vertex_line(const Vec3& x, const char* colour) {
 
 /// The segment that a pair shares; corners that the two have in common keep one number.
 std::array<Vec3, 2>
-segment_of(const ContactProblem& pair, const ObjectShape& a, const ObjectShape& b) {
+segment_of(const ContactProblem& pair, const TriangleMesh& a, const TriangleMesh& b) {
     std::vector<Vec3> x;
     std::array<Triangle, 2> local{{{0, 1, 2}, {3, 4, 5}}};
-    for (const Vec3& corner : a.corners(pair.triangles[0])) {
+    for (const Vec3& corner : corners_of(a, pair.triangles[0])) {
         x.push_back(corner);
     }
-    for (const Vec3& corner : b.corners(pair.triangles[1])) {
+    for (const Vec3& corner : corners_of(b, pair.triangles[1])) {
         x.push_back(corner);
     }
     for (std::size_t i = 0; pair.objects[0] == pair.objects[1] && i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j) {
-            if (a.triangle(pair.triangles[0])[i] == b.triangle(pair.triangles[1])[j]) {
+            if (a.triangles[at(pair.triangles[0])][i] == b.triangles[at(pair.triangles[1])][j]) {
                 local[1][j] = static_cast<Index>(i);
             }
         }
@@ -75,11 +53,13 @@ segment_of(const ContactProblem& pair, const ObjectShape& a, const ObjectShape& 
 } // namespace
 
 std::string encode_crossings(const World& world, std::span<const ContactProblem> pairs) {
-    std::map<Index, ObjectShape> shapes;
+    std::map<Index, TriangleMesh> shapes;
     std::set<std::array<Index, 2>> triangles;
     for (const ContactProblem& pair : pairs) {
         for (std::size_t side = 0; side < 2; ++side) {
-            shapes.try_emplace(pair.objects[side], world, pair.objects[side]);
+            if (!shapes.contains(pair.objects[side])) {
+                shapes.emplace(pair.objects[side], object_mesh(world, pair.objects[side]));
+            }
             triangles.insert({pair.objects[side], pair.triangles[side]});
         }
     }
@@ -88,8 +68,8 @@ std::string encode_crossings(const World& world, std::span<const ContactProblem>
     std::string edges;
     std::size_t next = 0;
     for (const auto& [object, triangle] : triangles) {
-        const char* colour = at(object) < world.cloths.size() ? k_red : k_blue;
-        for (const Vec3& x : shapes.at(object).corners(triangle)) {
+        const char* colour = is_obstacle(world, object) ? k_blue : k_red;
+        for (const Vec3& x : corners_of(shapes.at(object), triangle)) {
             vertices += vertex_line(x, colour);
         }
         faces += fmt::format("3 {} {} {} {} {} {}\n", next, next + 1, next + 2, colour, object,

@@ -27,6 +27,25 @@ std::string describe_cloth(const ClothParams& cloth) {
     return sheet.text;
 }
 
+std::string describe_solid(const SolidParams& solid) {
+    SummaryLines sheet;
+    sheet.row("solid", "{}: spacing {:.4g} m, {:.4g} kg, {}", solid.name, solid.spacing,
+              solid.spring.mass, plural(solid.pins.size(), "pin"));
+    if (solid.mesh.file.empty()) {
+        sheet.row("", "box {:.4g} x {:.4g} x {:.4g} m", solid.box.x(), solid.box.y(),
+                  solid.box.z());
+    }
+    return sheet.text;
+}
+
+std::string describe_rigid(const RigidParams& rigid) {
+    constexpr std::array<const char*, 4> names{"mesh", "sphere", "box", "plane"};
+    SummaryLines sheet;
+    sheet.row("rigid", "{}: {}, {:.4g} kg", rigid.name,
+              names[static_cast<std::size_t>(rigid.shape)], rigid.mass);
+    return sheet.text;
+}
+
 /// A sequence is described by its first file.
 void add_obstacle_mesh(const Scene& scene, const ObstacleParams& obstacle, InspectReport& report) {
     MeshSource source = obstacle.mesh;
@@ -72,6 +91,18 @@ InspectReport describe_scene(const std::filesystem::path& file, const StartInspe
             report.text += describe_cloth(cloth);
             if (!cloth.mesh.file.empty()) {
                 add_mesh(scene, cloth.mesh, true, report);
+            }
+        }
+        for (const SolidParams& solid : scene.solids) {
+            report.text += describe_solid(solid);
+            if (!solid.mesh.file.empty()) {
+                add_mesh(scene, solid.mesh, true, report);
+            }
+        }
+        for (const RigidParams& rigid : scene.rigids) {
+            report.text += describe_rigid(rigid);
+            if (rigid.shape == Shape::Mesh) {
+                add_mesh(scene, rigid.mesh, true, report);
             }
         }
         for (const ObstacleParams& obstacle : scene.obstacles) {

@@ -5,29 +5,39 @@
 #include "app/summary_lines.h"
 #include "base/atomic_file.h"
 #include "collide/crossings.h"
+#include "frames/solid_measures.h"
+#include "state/world_objects.h"
 #include "step/start_overlap.h"
 
 #include <map>
+#include <numeric>
 
 namespace weft {
 
 namespace {
 
+std::string describe_solids(const World& world) {
+    SummaryLines sheet;
+    for (const Solid& solid : world.solids) {
+        const Body& body = solid.body;
+        const auto begin = world.masses.begin() + body.first_particle;
+        sheet.row("filled", "{}: {} particles, {} cells, {} edges, {:.4g} litres, {:.4g} kg",
+                  body.name, body.particle_count, solid.cells.size(), solid.network.size(),
+                  1e3 * body_volume(world, body),
+                  std::accumulate(begin, begin + body.particle_count, 0.0));
+    }
+    return sheet.text;
+}
+
 /// Pairs listed of each two objects; the count tells of the rest.
 constexpr std::size_t k_listed = 5;
-
-std::string name_of(const World& world, Index object) {
-    const auto i = static_cast<std::size_t>(object);
-    return i < world.cloths.size() ? world.cloths[i].name
-                                   : world.obstacles[i - world.cloths.size()].name;
-}
 
 using Couples = std::map<std::array<Index, 2>, std::vector<ContactProblem>>;
 
 void list_pairs(const World& world, const Couples& couples, bool all, SummaryLines& sheet) {
     for (const auto& [objects, pairs] : couples) {
-        const std::string a = name_of(world, objects[0]);
-        const std::string b = name_of(world, objects[1]);
+        const std::string a = object_name(world, objects[0]);
+        const std::string b = object_name(world, objects[1]);
         if (objects[0] == objects[1]) {
             sheet.row("", "{}: {} with itself", a, plural(pairs.size(), "pair"));
         } else {
@@ -65,7 +75,7 @@ InspectReport describe_start(const Scene& scene, const StartInspection& wanted) 
     std::vector<std::string> warnings;
     const World world =
         build_world(scene, [&](const std::string& line) { warnings.push_back(line); });
-    sheet.text = describe_attachments(world, warnings);
+    sheet.text = describe_solids(world) + describe_attachments(world, warnings);
     if (!scene.contact.enabled) {
         sheet.row("start", "contact is off: what crosses does not matter");
         return {sheet.text, false};

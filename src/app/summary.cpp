@@ -1,5 +1,7 @@
 #include "app/summary.h"
 
+#include "frames/solid_measures.h"
+
 #include <fmt/core.h>
 
 #include <numeric>
@@ -17,17 +19,39 @@ std::string size_text(std::span<const Vec3> positions) {
     return fmt::format("{:.3g} x {:.3g} x {:.3g} m", size.x(), size.y(), size.z());
 }
 
-std::size_t pins_of(const World& world, const Cloth& cloth) {
+std::size_t pins_of(const World& world, Index first, Index count) {
     return static_cast<std::size_t>(
         std::count_if(world.pins.begin(), world.pins.end(), [&](const Pin& pin) {
-            return pin.vertex >= cloth.first_vertex &&
-                   pin.vertex < cloth.first_vertex + cloth.vertex_count;
+            return pin.vertex >= first && pin.vertex < first + count;
         }));
 }
 
-double mass_of(const World& world, const Cloth& cloth) {
-    const auto begin = world.masses.begin() + cloth.first_vertex;
-    return std::accumulate(begin, begin + cloth.vertex_count, 0.0);
+double mass_of(const World& world, Index first, Index count) {
+    const auto begin = world.masses.begin() + first;
+    return std::accumulate(begin, begin + count, 0.0);
+}
+
+std::string surface_text(const World& world, const Body& body) {
+    const auto x = std::span(world.positions)
+                       .subspan(static_cast<std::size_t>(body.first_vertex),
+                                static_cast<std::size_t>(body.vertex_count));
+    return fmt::format("{} triangles, {}", body.triangles.size(), size_text(x));
+}
+
+std::string describe(const World& world, const Solid& solid) {
+    const Body& body = solid.body;
+    return fmt::format("solid '{}': {} particles, {} cells, {} edges, {}, {:.4g} litres, {:.3g} "
+                       "kg, {} pinned\n",
+                       body.name, body.particle_count, solid.cells.size(), solid.network.size(),
+                       surface_text(world, body), 1e3 * body_volume(world, body),
+                       mass_of(world, body.first_particle, body.particle_count),
+                       pins_of(world, body.first_particle, body.particle_count));
+}
+
+std::string describe(const World& world, const RigidBody& rigid) {
+    const Body& body = rigid.body;
+    return fmt::format("rigid '{}': {}, {:.3g} kg\n", body.name, surface_text(world, body),
+                       mass_of(world, body.first_particle, body.particle_count));
 }
 
 } // namespace
@@ -35,10 +59,17 @@ double mass_of(const World& world, const Cloth& cloth) {
 std::string summarise(const Scene& scene, const World& world) {
     std::string text;
     for (const Cloth& cloth : world.cloths) {
-        text += fmt::format("cloth '{}': {} vertices, {} triangles, {}, {:.3g} kg, {}, {} pinned\n",
-                            cloth.name, cloth.vertex_count, cloth.triangles.size(),
-                            size_text(world.positions_of(cloth)), mass_of(world, cloth),
-                            cloth.params.fabric.name, pins_of(world, cloth));
+        text += fmt::format(
+            "cloth '{}': {} vertices, {} triangles, {}, {:.3g} kg, {}, {} pinned\n", cloth.name,
+            cloth.vertex_count, cloth.triangles.size(), size_text(world.positions_of(cloth)),
+            mass_of(world, cloth.first_vertex, cloth.vertex_count), cloth.params.fabric.name,
+            pins_of(world, cloth.first_vertex, cloth.vertex_count));
+    }
+    for (const Solid& solid : world.solids) {
+        text += describe(world, solid);
+    }
+    for (const RigidBody& rigid : world.rigids) {
+        text += describe(world, rigid);
     }
     for (const Obstacle& obstacle : world.obstacles) {
         text += fmt::format("obstacle '{}': {} vertices, {} triangles, {}, {} key frames{}\n",

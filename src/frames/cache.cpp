@@ -62,7 +62,7 @@ void write_obstacles(const RunPaths& paths, const std::vector<RigidShape>& obsta
 void write_cache(const RunPaths& paths, const Frame& frame) {
     for (const FrameObject& object : frame.objects) {
         const bool is_cloth = object.kind == ObjectKind::Cloth;
-        if (is_cloth || !object.reach.empty()) {
+        if (object.kind != ObjectKind::Obstacle || !object.reach.empty()) {
             write_atomically(
                 paths.shape(object.name, frame.number),
                 encode_ply(object, fmt::format("weft: frame {}, time {} s{}", frame.number,
@@ -74,8 +74,13 @@ void write_cache(const RunPaths& paths, const Frame& frame) {
 CachedRun::CachedRun(const std::filesystem::path& folder, const Scene& scene)
     : paths_{folder}, fps_(scene.scene.fps) {
     for (const ClothParams& cloth : scene.cloths) {
-        cloths_.push_back(cloth.name);
-        fabrics_.push_back(cloth.fabric.name);
+        movers_.push_back({cloth.name, ObjectKind::Cloth, cloth.fabric.name});
+    }
+    for (const SolidParams& solid : scene.solids) {
+        movers_.push_back({solid.name, ObjectKind::Solid, ""});
+    }
+    for (const RigidParams& rigid : scene.rigids) {
+        movers_.push_back({rigid.name, ObjectKind::Rigid, ""});
     }
     for (const ObstacleParams& obstacle : scene.obstacles) {
         const bool is_deforming = std::filesystem::exists(paths_.reach(obstacle.name));
@@ -97,7 +102,10 @@ CachedRun::CachedRun(const std::filesystem::path& folder, const Scene& scene)
 }
 
 std::vector<int> CachedRun::frames() const {
-    std::vector<std::string> names = cloths_;
+    std::vector<std::string> names;
+    for (const Mover& mover : movers_) {
+        names.push_back(mover.name);
+    }
     for (const RigidShape& obstacle : obstacles_) {
         if (!obstacle.shape.reach.empty()) {
             names.push_back(obstacle.shape.name);
@@ -121,16 +129,21 @@ FrameObject CachedRun::read_shape(const std::string& name, int number) const {
     return object;
 }
 
+FrameObject CachedRun::read_mover(const Mover& mover, int number) const {
+    FrameObject object = read_shape(mover.name, number);
+    if (mover.kind == ObjectKind::Cloth && object.kind != ObjectKind::Cloth) {
+        fail_disk("{}: no 'u' and 'v': not a cloth that weft wrote",
+                  paths_.shape(mover.name, number).string());
+    }
+    object.kind = mover.kind;
+    object.fabric = mover.fabric;
+    return object;
+}
+
 Frame CachedRun::read(int number) const {
     Frame frame{.number = number, .time = frame_time(number, fps_), .objects = {}};
-    for (std::size_t c = 0; c < cloths_.size(); ++c) {
-        FrameObject object = read_shape(cloths_[c], number);
-        if (object.kind != ObjectKind::Cloth) {
-            fail_disk("{}: no 'u' and 'v': not a cloth that weft wrote",
-                      paths_.shape(cloths_[c], number).string());
-        }
-        object.fabric = fabrics_[c];
-        frame.objects.push_back(std::move(object));
+    for (const Mover& mover : movers_) {
+        frame.objects.push_back(read_mover(mover, number));
     }
     for (const RigidShape& obstacle : obstacles_) {
         if (obstacle.shape.reach.empty()) {

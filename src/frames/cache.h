@@ -12,7 +12,7 @@ namespace weft {
 /// Writes the obstacles of a run, once: rigid ones in their own frame, of the others their reach.
 void write_obstacles(const RunPaths& paths, const std::vector<RigidShape>& obstacles);
 
-/// Writes one PLY for each cloth of the frame and each obstacle that deforms.
+/// Writes one PLY for each object of the frame that moves by forces and each obstacle that deforms.
 void write_cache(const RunPaths& paths, const Frame& frame);
 
 /// A run read from its cache alone: gives the frames that the simulation wrote, to the same bits,
@@ -24,20 +24,27 @@ public:
     /// Throws Error (Disk) in one line when an obstacle's file is missing or damaged.
     CachedRun(const std::filesystem::path& folder, const Scene& scene);
 
-    /// Numbers of the frames in the cache that have a file for every cloth and deforming obstacle,
+    /// Numbers of the frames in the cache that have a file for all that write_cache() writes,
     /// ascending.
     std::vector<int> frames() const;
 
-    /// Frame `number`: cloths, then obstacles, in the scene's order.
+    /// Frame `number`: cloths, solids, rigid bodies, obstacles, each in the scene's order.
     /// Throws Error (Disk) in one line when a file is missing or damaged.
     Frame read(int number) const;
 
 private:
     RunPaths paths_;
     double fps_;
+    /// What a cache of each frame was written of.
+    struct Mover {
+        std::string name;
+        ObjectKind kind;
+        std::string fabric;
+    };
     FrameObject read_shape(const std::string& name, int number) const;
+    FrameObject read_mover(const Mover& mover, int number) const;
 
-    std::vector<std::string> cloths_, fabrics_;
+    std::vector<Mover> movers_;
     std::vector<RigidShape> obstacles_;
     std::map<int, std::vector<Vec3f>> problems_; ///< by frame; empty unless the scene shows them
 };

@@ -2,6 +2,7 @@
 
 #include "frames/cache.h"
 #include "frames/obstacle_reach.h"
+#include "frames/solid_measures.h"
 #include "frames/triangle_measures.h"
 #include "geometry/curvature.h"
 
@@ -84,6 +85,27 @@ FrameObject capture_cloth(const World& world, const Cloth& cloth) {
     return object;
 }
 
+FrameObject capture_body(const World& world, const Body& body, ObjectKind kind) {
+    const auto x = std::span(world.positions)
+                       .subspan(static_cast<std::size_t>(body.first_vertex),
+                                static_cast<std::size_t>(body.vertex_count));
+    FrameObject object{.name = body.name, .kind = kind, .triangles = body.triangles};
+    object.positions = to_single(x);
+    return object;
+}
+
+FrameObject capture_solid(const World& world, const Solid& solid) {
+    FrameObject object = capture_body(world, solid.body, ObjectKind::Solid);
+    for (const double stretch : surface_stretches(world, solid)) {
+        values_of(object, "stretch").push_back(static_cast<float>(stretch));
+    }
+    for (Index v = 0; v < solid.body.vertex_count; ++v) {
+        const auto i = static_cast<std::size_t>(solid.body.first_vertex + v);
+        values_of(object, "speed").push_back(static_cast<float>(world.velocities[i].norm()));
+    }
+    return object;
+}
+
 } // namespace
 
 FrameCapture::FrameCapture(const World& world, double fps, int frames) : fps_(fps) {
@@ -106,6 +128,12 @@ Frame FrameCapture::capture(const World& world) const {
     Frame frame{.number = world.frame, .time = frame_time(world.frame, fps_)};
     for (const Cloth& cloth : world.cloths) {
         frame.objects.push_back(capture_cloth(world, cloth));
+    }
+    for (const Solid& solid : world.solids) {
+        frame.objects.push_back(capture_solid(world, solid));
+    }
+    for (const RigidBody& rigid : world.rigids) {
+        frame.objects.push_back(capture_body(world, rigid.body, ObjectKind::Rigid));
     }
     for (std::size_t o = 0; o < obstacles_.size(); ++o) {
         if (deforms(world.obstacles[o])) {

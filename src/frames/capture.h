@@ -6,7 +6,8 @@
 namespace weft {
 
 /// Takes a world out of the simulation: single precision, with every quantity of k_quantities at
-/// the vertices of cloth, and the obstacles as they stand at the frame's time.
+/// the vertices of cloth and solids, rigid bodies, and the obstacles as they stand at the frame's
+/// time.
 class FrameCapture {
 public:
     /// @param frames  of the run, by which the reach of deforming obstacles is found

@@ -41,7 +41,12 @@ constexpr int find_quantity(std::string_view name) {
     return -1;
 }
 
-enum class ObjectKind { Cloth, Obstacle };
+enum class ObjectKind { Cloth, Solid, Rigid, Obstacle };
+
+/// Kinds that have values to be shown as colour.
+constexpr bool has_quantities(ObjectKind kind) {
+    return kind == ObjectKind::Cloth || kind == ObjectKind::Solid;
+}
 
 /// One object at one time, in single precision: what leaves the simulation for files and pictures.
 struct FrameObject {
@@ -52,8 +57,9 @@ struct FrameObject {
     std::vector<Triangle> triangles;
     /// Far points of all places that an obstacle takes during the run when it deforms; else empty
     std::vector<Vec3f> reach;
-    std::vector<Vec2f> material_positions; ///< #V, u, m; empty for obstacles
-    /// values[q] is #V values of k_quantities[q], smoothed to the vertices; empty for obstacles
+    std::vector<Vec2f> material_positions; ///< #V, u, m; of cloth only
+    /// values[q] is #V values of k_quantities[q], smoothed to the vertices; empty where there are
+    /// none: of obstacles and rigid bodies, of solids all but stretch and speed
     std::array<std::vector<float>, k_quantities.size()> values;
 };
 

@@ -1,6 +1,7 @@
 #include "frames/motion_bounds.h"
 
 #include "forces/air.h"
+#include "frames/body_outlook.h"
 #include "frames/held_vertices.h"
 #include "frames/landing.h"
 #include "frames/rigid_shape.h"
@@ -355,18 +356,27 @@ Extent object_extent(const FrameObject& object) {
 }
 
 Extent predict_motion(const Frame& first, const Scene& scene, const std::vector<bool>& counts) {
+    const std::size_t solids = scene.cloths.size();
+    const std::size_t rigids = solids + scene.solids.size();
+    const std::size_t obstacles = rigids + scene.rigids.size();
     assert(counts.size() == first.objects.size());
-    assert(first.objects.size() == scene.cloths.size() + scene.obstacles.size());
+    assert(first.objects.size() == obstacles + scene.obstacles.size());
     Extent extent;
     for (std::size_t i = 0; i < first.objects.size(); ++i) {
         if (!counts[i]) {
             continue;
         }
-        const std::size_t o = i - scene.cloths.size();
-        extent.extend(
-            i < scene.cloths.size()
-                ? ClothOutlook(first, i, scene).extent()
-                : obstacle_extent(first.objects[i], scene.obstacles[o], scene, first.time));
+        if (i < solids) {
+            extent.extend(ClothOutlook(first, i, scene).extent());
+        } else if (i < rigids) {
+            const SolidParams& solid = scene.solids[i - solids];
+            extent.extend(body_extent(first, i, {solid.velocity, solid.pins}, scene));
+        } else if (i < obstacles) {
+            extent.extend(body_extent(first, i, {scene.rigids[i - rigids].velocity, {}}, scene));
+        } else {
+            extent.extend(obstacle_extent(first.objects[i], scene.obstacles[i - obstacles], scene,
+                                          first.time));
+        }
     }
     return extent;
 }

@@ -19,6 +19,8 @@ namespace weft {
 /// - what is on a deforming obstacle, or pinned to it, is taken along;
 /// - what reaches over the edge of such an obstacle hangs by its distance from there.
 ///
+/// Solids and rigid bodies: see body_outlook.h.
+///
 /// @param first    a frame of the run with all its objects, the earliest known
 /// @param counts   one a frame object: false leaves it out (a floor), though cloth may land on it
 /// Returns an empty extent when nothing that counts has vertices.

@@ -14,8 +14,9 @@ namespace weft {
 /// @param comment one line for people who open the file in an editor; no line breaks
 std::string encode_ply(const FrameObject& object, std::string_view comment);
 
-/// Reads what encode_ply wrote; a file with u v is cloth. Properties that are not ours are skipped,
-/// quantities that are not there stay empty. `name` and `fabric` stay empty.
+/// Reads what encode_ply wrote; a file with u v is cloth, the kind of others is Obstacle.
+/// Properties that are not ours are skipped, quantities that are not there stay empty. `name` and
+/// `fabric` stay empty.
 ///
 /// @param place the file's path, for messages
 /// Throws Error (Disk) in one line when the header is not such a PLY, the size does not match it,

@@ -1,6 +1,7 @@
 #include "frames/problems.h"
 
 #include "base/error.h"
+#include "state/world_objects.h"
 
 #include <fmt/core.h>
 
@@ -23,12 +24,6 @@ std::string_view name_of(ProblemKind kind) {
         return "pinched";
     }
     return "";
-}
-
-const std::string& object_name(const World& world, Index object) {
-    const auto i = static_cast<std::size_t>(object);
-    const std::size_t cloths = world.cloths.size();
-    return i < cloths ? world.cloths[i].name : world.obstacles[i - cloths].name;
 }
 
 } // namespace

@@ -22,7 +22,7 @@ struct RunPaths {
 
     /// frames/frame.0001.png
     std::filesystem::path picture(int frame) const;
-    /// cache/NAME.0001.ply: cloth and obstacles that deform, one a frame
+    /// cache/NAME.0001.ply: what moves by forces and obstacles that deform, one a frame
     std::filesystem::path shape(const std::string& name, int frame) const;
     /// cache/NAME.ply: a rigid obstacle in its own frame, once
     std::filesystem::path obstacle(const std::string& name) const;

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "frames/cache.h"
 #include "frames/csv.h"
+#include "frames/solid_measures.h"
 #include "frames/triangle_measures.h"
 
 #include <fmt/core.h>
@@ -20,7 +21,8 @@ constexpr std::string_view k_header =
     "stretch_max,shear_max_deg,kinetic_J,membrane_J,bending_J,gravity_J,com_x_m,com_y_m,com_z_m,"
     "max_speed_m_s,state_hash,impacts,impact_zones,scaled_islands,"
     "substeps_impacts,substeps_zones,substeps_scaled,attached_pairs,welded_pairs,attached_gap_m,"
-    "level_0,level_1,level_2,level_3,level_4,level_5,level_6,level_7,level_8";
+    "level_0,level_1,level_2,level_3,level_4,level_5,level_6,level_7,level_8,"
+    "volume_m3,inverted_cells";
 
 /// A triangle's stretch and its share of the whole.
 struct Weighted {
@@ -95,6 +97,7 @@ std::string statistics_row(const FrameStatistics& s) {
     for (const std::size_t triangles : s.levels) {
         row << triangles;
     }
+    row << s.volume << s.inverted_cells;
     return row.text();
 }
 
@@ -116,6 +119,16 @@ StrainStatistics measure_strain(const World& world) {
             statistics.shear_max_deg = std::max(statistics.shear_max_deg, std::abs(m.shear_deg));
         }
     }
+    for (const Solid& solid : world.solids) {
+        const double weight = 0.5 * solid.params.spacing * solid.params.spacing;
+        for (const double stretch : edge_stretches(world, solid)) {
+            stretches.push_back({stretch, weight});
+            sum += stretch * weight;
+            area += weight;
+            statistics.stretch_min = std::min(statistics.stretch_min, stretch);
+            statistics.stretch_max = std::max(statistics.stretch_max, stretch);
+        }
+    }
     if (stretches.empty()) {
         return {};
     }
@@ -127,6 +140,9 @@ StrainStatistics measure_strain(const World& world) {
 Statistician::Statistician(const World& world, const SceneParams& scene)
     : gravity_(scene.gravity), fps_(scene.fps) {
     follow_mesh(world);
+    for (const Solid& solid : world.solids) {
+        solids_.emplace_back(solid.network, solid.params.model, solid.params.spring);
+    }
 }
 
 void Statistician::follow_mesh(const World& world) {
@@ -162,12 +178,25 @@ MotionStatistics Statistician::measure_motion(const World& world) const {
         motion.membrane += membranes_[c].energy(x);
         motion.bending += bendings_[c].energy(x);
     }
+    for (std::size_t s = 0; s < world.solids.size(); ++s) {
+        const Body& body = world.solids[s].body;
+        motion.membrane +=
+            solids_[s].energy(std::span(world.positions)
+                                  .subspan(static_cast<std::size_t>(body.first_particle),
+                                           static_cast<std::size_t>(body.particle_count)));
+    }
     return motion;
 }
 
 FrameStatistics
 Statistician::measure(const World& world, const FrameReport& report, int crossings) {
     follow_mesh(world);
+    double volume = 0.0;
+    std::size_t inverted = 0;
+    for (const Solid& solid : world.solids) {
+        volume += body_volume(world, solid.body);
+        inverted += count_inverted_cells(world, solid);
+    }
     return {.frame = world.frame,
             .time = frame_time(world.frame, fps_),
             .report = report,
@@ -178,6 +207,8 @@ Statistician::measure(const World& world, const FrameReport& report, int crossin
             .strain = measure_strain(world),
             .motion = measure_motion(world),
             .attachments = measure_attachments(world),
+            .volume = volume,
+            .inverted_cells = inverted,
             .state_hash = state_hash(world)};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "forces/constant_bending.h"
+#include "forces/edge_elements.h"
 #include "forces/membrane_elements.h"
 #include "state/update_attachments.h"
 #include "step/advance.h"
@@ -11,7 +12,8 @@
 
 namespace weft {
 
-/// Stretch and shear over all cloth triangles, weighted by their rest area.
+/// Stretch and shear over all cloth triangles, weighted by their rest area, and stretch of all
+/// edges of solids: length over rest length, each with the weight of half a square of the spacing.
 struct StrainStatistics {
     double stretch_min = 1.0;  ///< least principal stretch
     double stretch_mean = 1.0; ///< mean, 95th percentile and greatest of each triangle's greater
@@ -20,9 +22,9 @@ struct StrainStatistics {
     double shear_max_deg = 0.0; ///< greatest distance of weft and warp from a right angle
 };
 
-/// Energies and motion of all cloth.
+/// Energies and motion of all that moves by forces.
 struct MotionStatistics {
-    double kinetic = 0.0, membrane = 0.0, bending = 0.0; ///< J
+    double kinetic = 0.0, membrane = 0.0, bending = 0.0; ///< J; edges of solids are in membrane
     double gravity = 0.0;                                ///< J; 0 at the origin
     Vec3 centre_of_mass = Vec3::Zero();                  ///< m
     double max_speed = 0.0;                              ///< m/s
@@ -40,6 +42,8 @@ struct FrameStatistics {
     StrainStatistics strain;
     MotionStatistics motion;
     AttachmentReport attachments;
+    double volume = 0.0;            ///< m^3, of all solids together
+    std::size_t inverted_cells = 0; ///< of solids, see count_inverted_cells()
     std::uint64_t state_hash = 0;
 };
 
@@ -70,6 +74,7 @@ private:
     std::vector<Index> adaptions_;            ///< of the meshes that the elements are of
     std::vector<MembraneElements> membranes_; ///< one a cloth
     std::vector<ConstantBending> bendings_;
+    std::vector<EdgeElements> solids_; ///< one a solid
 };
 
 } // namespace weft

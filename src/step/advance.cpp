@@ -60,26 +60,41 @@ void add_seconds(StageSeconds& total, const ImplicitReport& step, const ContactR
     total.contact_impact += contact.seconds_impact;
 }
 
-/// Does any vertex leave its cloth's mean motion too far?
-bool moves_too_far(const World& world, std::span<const Vec3> end_positions) {
-    for (const Cloth& cloth : world.cloths) {
-        const auto first = static_cast<std::size_t>(cloth.first_vertex);
-        const auto count = static_cast<std::size_t>(cloth.vertex_count);
-        Eigen::AlignedBox3d box;
-        Vec3 mean = Vec3::Zero();
-        for (std::size_t i = first; i < first + count; ++i) {
-            box.extend(world.positions[i]);
-            mean += end_positions[i] - world.positions[i];
-        }
-        mean /= static_cast<double>(count);
-        const double limit = k_greatest_motion * box.diagonal().norm();
-        for (std::size_t i = first; i < first + count; ++i) {
-            if ((end_positions[i] - world.positions[i] - mean).norm() > limit) {
-                return true;
-            }
+/// Does any of an object's vertices leave their mean motion too far?
+bool moves_too_far(const World& world,
+                   std::span<const Vec3> end_positions,
+                   Index first_vertex,
+                   Index vertex_count) {
+    const auto first = static_cast<std::size_t>(first_vertex);
+    const auto count = static_cast<std::size_t>(vertex_count);
+    Eigen::AlignedBox3d box;
+    Vec3 mean = Vec3::Zero();
+    for (std::size_t i = first; i < first + count; ++i) {
+        box.extend(world.positions[i]);
+        mean += end_positions[i] - world.positions[i];
+    }
+    mean /= static_cast<double>(count);
+    const double limit = k_greatest_motion * box.diagonal().norm();
+    for (std::size_t i = first; i < first + count; ++i) {
+        if ((end_positions[i] - world.positions[i] - mean).norm() > limit) {
+            return true;
         }
     }
     return false;
+}
+
+/// The same of each cloth and of the particles of each body.
+bool moves_too_far(const World& world, std::span<const Vec3> end_positions) {
+    bool moves = false;
+    for (const Cloth& cloth : world.cloths) {
+        moves =
+            moves || moves_too_far(world, end_positions, cloth.first_vertex, cloth.vertex_count);
+    }
+    for_each_body(world, [&](const Body& body) {
+        moves =
+            moves || moves_too_far(world, end_positions, body.first_particle, body.particle_count);
+    });
+    return moves;
 }
 
 } // namespace

@@ -1,0 +1,121 @@
+#include "frames/solid_measures.h"
+
+#include "base/parallel.h"
+#include "geometry/lattice_fill.h"
+
+#include <span>
+
+namespace weft {
+
+namespace {
+
+std::size_t at(Index i) {
+    return static_cast<std::size_t>(i);
+}
+
+std::span<const Vec3> particles_of(const World& world, const Body& body) {
+    return std::span(world.positions).subspan(at(body.first_particle), at(body.particle_count));
+}
+
+/// Six times the volume of the tetrahedron of four corners of a cell.
+double volume(const std::array<Vec3, 8>& x, const std::array<int, 4>& t) {
+    const Vec3& origin = x[at(t[0])];
+    return (x[at(t[1])] - origin).cross(x[at(t[2])] - origin).dot(x[at(t[3])] - origin);
+}
+
+bool is_inverted(const std::array<Vec3, 8>& x) {
+    for (const auto& tetrahedron : k_cell_tetrahedra) {
+        if (!(volume(x, tetrahedron) > 0.0)) {
+            return true;
+        }
+    }
+    for (int corner = 0; corner < 8; ++corner) {
+        // Its neighbours along x, y, z; their order turns left where an even number of its
+        // coordinates are high.
+        const bool even = ((corner ^ (corner >> 1) ^ (corner >> 2)) & 1) == 0;
+        const double v = volume(x, {corner, corner ^ 1, corner ^ 2, corner ^ 4});
+        if (!(even ? v > 0.0 : v < 0.0)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+std::vector<double> edge_stretches(const World& world, const Solid& solid) {
+    const auto x = particles_of(world, solid.body);
+    std::vector<double> stretches(solid.network.size());
+    parallel_for(stretches.size(), [&](std::size_t e) {
+        const NetworkEdge& edge = solid.network[e];
+        stretches[e] =
+            (x[at(edge.vertices[0])] - x[at(edge.vertices[1])]).norm() / edge.rest_length;
+    });
+    return stretches;
+}
+
+std::vector<double> surface_stretches(const World& world, const Solid& solid) {
+    const std::vector<double> stretches = edge_stretches(world, solid);
+    std::vector<double> sums(at(solid.body.particle_count), 0.0);
+    std::vector<int> counts(sums.size(), 0);
+    for (std::size_t e = 0; e < stretches.size(); ++e) {
+        for (const Index particle : solid.network[e].vertices) {
+            sums[at(particle)] += stretches[e];
+            ++counts[at(particle)];
+        }
+    }
+    std::vector<double> carried;
+    carried.reserve(solid.body.carriers.size());
+    for (const Carrier& carrier : solid.body.carriers) {
+        double value = 0.0;
+        for (std::size_t k = 0; k < 4 && carrier.particles[k] != k_no_index; ++k) {
+            const std::size_t p = at(carrier.particles[k]);
+            value += carrier.weights[k] * (counts[p] > 0 ? sums[p] / counts[p] : 1.0);
+        }
+        carried.push_back(value);
+    }
+    return carried;
+}
+
+std::size_t count_inverted_cells(const World& world, const Solid& solid) {
+    const auto x = particles_of(world, solid.body);
+    return parallel_reduce(
+        solid.cells.size(), std::size_t{0},
+        [&](std::size_t c) {
+            std::array<Vec3, 8> corners;
+            for (std::size_t k = 0; k < 8; ++k) {
+                corners[k] = x[at(solid.cells[c][k])];
+            }
+            return std::size_t{is_inverted(corners) ? 1U : 0U};
+        },
+        [](std::size_t a, std::size_t b) { return a + b; });
+}
+
+double body_volume(const World& world, const Body& body) {
+    const auto x = std::span(world.positions).subspan(at(body.first_vertex), at(body.vertex_count));
+    if (x.empty()) {
+        return 0.0;
+    }
+    const Vec3 origin = x[0]; // near, for rounding's sake
+    const auto share = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+        return (a - origin).dot((b - origin).cross(c - origin)) / 6.0;
+    };
+    double sum = parallel_sum(body.triangles.size(), [&](std::size_t t) {
+        const Triangle& v = body.triangles[t];
+        return share(x[at(v[0])], x[at(v[1])], x[at(v[2])]);
+    });
+    for (const std::vector<Index>& loop : boundary_loops(body.topology)) {
+        Vec3 middle = Vec3::Zero();
+        for (const Index v : loop) {
+            middle += x[at(v)] / static_cast<double>(loop.size());
+        }
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            const Vec3& a = x[at(loop[k])];
+            const Vec3& b = x[at(loop[(k + 1) % loop.size()])];
+            sum += share(b, a, middle);
+        }
+    }
+    return sum;
+}
+
+} // namespace weft
