@@ -215,13 +215,14 @@ bool check_meshes(const std::filesystem::path& folder) {
         size_t borders;
         int euler_characteristic;
     };
-    constexpr std::array<Expected, 7> k_expected{{{"mannequin", 0, 2},
+    constexpr std::array<Expected, 8> k_expected{{{"mannequin", 0, 2},
                                                   {"skirt", 2, 0},
                                                   {"tshirt", 4, -2},
                                                   {"dress", 4, -2},
                                                   {"tablecloth", 1, 1},
                                                   {"flag", 1, 1},
-                                                  {"plate_with_hole", 0, 0}}};
+                                                  {"plate_with_hole", 0, 0},
+                                                  {"rabbit", 0, 2}}};
     Verdict verdict;
     std::map<std::string, ObjMesh> meshes;
     std::map<std::string, Facts> facts;
@@ -239,7 +240,7 @@ bool check_meshes(const std::filesystem::path& folder) {
         verdict.expect(mesh.material_triangles.size() == (borders > 0 ? mesh.triangles.size() : 0),
                        std::string(name) + " has its flat pattern");
     }
-    for (const char* name : {"mannequin", "plate_with_hole"}) {
+    for (const char* name : {"mannequin", "plate_with_hole", "rabbit"}) {
         std::printf("%s: volume %.4f m3\n", name, facts[name].volume);
         verdict.expect(facts[name].volume > 0.0, std::string(name) + " faces outwards");
     }

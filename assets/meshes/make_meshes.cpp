@@ -11,6 +11,7 @@
 #include "garments.h"
 #include "isosurface.h"
 #include "plate.h"
+#include "rabbit.h"
 #include "remesh.h"
 
 namespace weft {
@@ -50,6 +51,7 @@ void write_all(const std::filesystem::path& folder) {
     write_garment(folder / "tablecloth.obj", make_tablecloth());
     write_garment(folder / "flag.obj", make_flag());
     write_obj(folder / "plate_with_hole.obj", make_plate_with_hole());
+    write_obj(folder / "rabbit.obj", make_rabbit());
 }
 
 } // namespace
