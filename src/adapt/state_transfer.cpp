@@ -157,23 +157,31 @@ void StateTransfer::set_masses(const Cloth& cloth, const ClothChanges& changes) 
 /// Each connected set of triangles around changed ones on its own.
 void StateTransfer::correct_velocities(const Cloth& cloth, const ClothChanges& changes) {
     DisjointSets patches(states_.size());
-    std::vector<Index> touched;
+    std::vector<char> is_touched(states_.size(), 0);
     for (const Index t : grow(cloth, changes.triangles)) {
         const Triangle& corners = cloth.triangles[at(t)];
         patches.join(corners[0], corners[1]);
         patches.join(corners[1], corners[2]);
-        touched.insert(touched.end(), corners.begin(), corners.end());
+        for (const Index v : corners) {
+            is_touched[at(v)] = 1;
+        }
     }
-    std::sort(touched.begin(), touched.end());
-    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    std::stable_sort(touched.begin(), touched.end(),
-                     [&](Index a, Index b) { return patches.find(a) < patches.find(b); });
-    for (auto begin = touched.begin(); begin != touched.end();) {
-        const Index patch = patches.find(*begin);
-        const auto end =
-            std::find_if(begin, touched.end(), [&](Index v) { return patches.find(v) != patch; });
-        correct_patch({begin, end});
-        begin = end;
+    // A set is named after its least vertex, so that it is met there first.
+    std::vector<std::vector<Index>> vertices;
+    std::vector<std::size_t> place(states_.size(), 0);
+    for (std::size_t v = 0; v < states_.size(); ++v) {
+        if (is_touched[v] == 0) {
+            continue;
+        }
+        const std::size_t name = at(patches.find(static_cast<Index>(v)));
+        if (name == v) {
+            place[v] = vertices.size();
+            vertices.emplace_back();
+        }
+        vertices[place[name]].push_back(static_cast<Index>(v));
+    }
+    for (const std::vector<Index>& patch : vertices) {
+        correct_patch(patch);
     }
 }
 

@@ -42,11 +42,13 @@ void replace_on_boundary(std::span<const Vec3> positions,
         }
     }
     for (const MeshEdge& edge : topology.edges) {
-        if (edge.is_boundary()) {
+        const std::array<Index, 4> around{edge.v[0], edge.v[1], edge.apex[0], edge.apex[1]};
+        if (edge.is_boundary() || std::none_of(around.begin(), around.end(),
+                                               [&](Index v) { return on_boundary[at(v)] != 0; })) {
             continue;
         }
         const double mean = 0.5 * edge_curvature(positions, edge);
-        for (const Index v : {edge.v[0], edge.v[1], edge.apex[0], edge.apex[1]}) {
+        for (const Index v : around) {
             if (on_boundary[at(v)]) {
                 curvatures[at(v)] = std::max(curvatures[at(v)], mean);
             }
