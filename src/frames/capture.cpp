@@ -1,6 +1,7 @@
 #include "frames/capture.h"
 
 #include "frames/cache.h"
+#include "frames/edge_measures.h"
 #include "frames/obstacle_reach.h"
 #include "frames/solid_measures.h"
 #include "frames/triangle_measures.h"
@@ -64,6 +65,18 @@ void measure_cloth(const World& world, const Cloth& cloth, FrameObject& object) 
     }
 }
 
+/// Of cloth whose model is of edges stretch and stress are those of its edges.
+void measure_cloth_edges(const World& world, const Cloth& cloth, FrameObject& object) {
+    if (!has_edge_law(cloth.params.model)) {
+        return;
+    }
+    VertexEdgeMeasures measures =
+        measure_edges(cloth.network, law_shape(cloth.params.model, cloth.params.spring),
+                      world.positions_of(cloth), static_cast<std::size_t>(cloth.vertex_count));
+    values_of(object, "stretch") = std::move(measures.stretch);
+    values_of(object, "stress") = std::move(measures.tension);
+}
+
 std::vector<Vec3f> to_single(std::span<const Vec3> positions) {
     std::vector<Vec3f> single;
     for (const Vec3& position : positions) {
@@ -82,6 +95,7 @@ FrameObject capture_cloth(const World& world, const Cloth& cloth) {
         object.material_positions.emplace_back(material.cast<float>());
     }
     measure_cloth(world, cloth, object);
+    measure_cloth_edges(world, cloth, object);
     return object;
 }
 

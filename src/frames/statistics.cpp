@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "frames/cache.h"
 #include "frames/csv.h"
+#include "frames/edge_measures.h"
 #include "frames/solid_measures.h"
 #include "frames/triangle_measures.h"
 
@@ -101,60 +102,97 @@ std::string statistics_row(const FrameStatistics& s) {
     return row.text();
 }
 
-StrainStatistics measure_strain(const World& world) {
-    StrainStatistics statistics{.stretch_min = std::numeric_limits<double>::infinity(),
-                                .stretch_max = 0.0};
-    std::vector<Weighted> stretches;
-    double sum = 0.0;
-    double area = 0.0;
-    for (const Cloth& cloth : world.cloths) {
+namespace {
+
+/// Adds objects to the statistics of all.
+class StrainSums {
+public:
+    void add_triangles(const World& world, const Cloth& cloth) {
         const std::vector<StrainMeasures> measures = measure_triangles(world, cloth);
+        const bool by_edges = has_edge_law(cloth.params.model);
         for (std::size_t t = 0; t < measures.size(); ++t) {
             const StrainMeasures& m = measures[t];
-            stretches.push_back({m.stretch_max, cloth.rest[t].area});
-            sum += m.stretch_max * cloth.rest[t].area;
-            area += cloth.rest[t].area;
-            statistics.stretch_min = std::min(statistics.stretch_min, m.stretch_min);
-            statistics.stretch_max = std::max(statistics.stretch_max, m.stretch_max);
-            statistics.shear_max_deg = std::max(statistics.shear_max_deg, std::abs(m.shear_deg));
+            statistics_.shear_max_deg = std::max(statistics_.shear_max_deg, std::abs(m.shear_deg));
+            if (!by_edges) {
+                add(m.stretch_max, cloth.rest[t].area);
+                statistics_.stretch_min = std::min(statistics_.stretch_min, m.stretch_min);
+            }
         }
+        if (by_edges) {
+            double area = 0.0;
+            for (const RestTriangle& rest : cloth.rest) {
+                area += rest.area;
+            }
+            const auto edges = edge_stretches(cloth.network, world.positions_of(cloth));
+            for (const EdgeStretch& edge : edges) {
+                add_edge(edge.stretch, area / static_cast<double>(edges.size()));
+            }
+        }
+    }
+
+    void add_solid(const World& world, const Solid& solid) {
+        for (const double stretch : edge_stretches(world, solid)) {
+            add_edge(stretch, 0.5 * solid.params.spacing * solid.params.spacing);
+        }
+    }
+
+    StrainStatistics result() {
+        if (stretches_.empty()) {
+            return {.shear_max_deg = statistics_.shear_max_deg};
+        }
+        statistics_.stretch_mean = sum_ / area_;
+        statistics_.stretch_p95 = percentile(stretches_, 0.95);
+        return statistics_;
+    }
+
+private:
+    void add_edge(double stretch, double area) {
+        add(stretch, area);
+        statistics_.stretch_min = std::min(statistics_.stretch_min, stretch);
+    }
+
+    void add(double stretch, double area) {
+        stretches_.push_back({stretch, area});
+        sum_ += stretch * area;
+        area_ += area;
+        statistics_.stretch_max = std::max(statistics_.stretch_max, stretch);
+    }
+
+    StrainStatistics statistics_{.stretch_min = std::numeric_limits<double>::infinity(),
+                                 .stretch_max = 0.0};
+    std::vector<Weighted> stretches_;
+    double sum_ = 0.0, area_ = 0.0;
+};
+
+} // namespace
+
+StrainStatistics measure_strain(const World& world) {
+    StrainSums sums;
+    for (const Cloth& cloth : world.cloths) {
+        sums.add_triangles(world, cloth);
     }
     for (const Solid& solid : world.solids) {
-        const double weight = 0.5 * solid.params.spacing * solid.params.spacing;
-        for (const double stretch : edge_stretches(world, solid)) {
-            stretches.push_back({stretch, weight});
-            sum += stretch * weight;
-            area += weight;
-            statistics.stretch_min = std::min(statistics.stretch_min, stretch);
-            statistics.stretch_max = std::max(statistics.stretch_max, stretch);
-        }
+        sums.add_solid(world, solid);
     }
-    if (stretches.empty()) {
-        return {};
-    }
-    statistics.stretch_mean = sum / area;
-    statistics.stretch_p95 = percentile(stretches, 0.95);
-    return statistics;
+    return sums.result();
 }
 
 Statistician::Statistician(const World& world, const SceneParams& scene)
     : gravity_(scene.gravity), fps_(scene.fps) {
     follow_mesh(world);
-    for (const Solid& solid : world.solids) {
-        solids_.emplace_back(solid.network, solid.params.model, solid.params.spring);
-    }
 }
 
 void Statistician::follow_mesh(const World& world) {
-    if (!membranes_.empty() && adaptions_ == adaptions_of(world)) {
+    if (!energies_.empty() && adaptions_ == adaptions_of(world)) {
         return;
     }
     adaptions_ = adaptions_of(world);
-    membranes_.clear();
-    bendings_.clear();
+    energies_.clear();
     for (const Cloth& cloth : world.cloths) {
-        membranes_.emplace_back(cloth);
-        bendings_.emplace_back(cloth);
+        energies_.emplace_back(cloth);
+    }
+    for (const Solid& solid : world.solids) {
+        energies_.emplace_back(solid);
     }
 }
 
@@ -173,17 +211,14 @@ MotionStatistics Statistician::measure_motion(const World& world) const {
     if (mass > 0.0) {
         motion.centre_of_mass /= mass;
     }
-    for (std::size_t c = 0; c < world.cloths.size(); ++c) {
-        const auto x = world.positions_of(world.cloths[c]);
-        motion.membrane += membranes_[c].energy(x);
-        motion.bending += bendings_[c].energy(x);
-    }
-    for (std::size_t s = 0; s < world.solids.size(); ++s) {
-        const Body& body = world.solids[s].body;
-        motion.membrane +=
-            solids_[s].energy(std::span(world.positions)
-                                  .subspan(static_cast<std::size_t>(body.first_particle),
-                                           static_cast<std::size_t>(body.particle_count)));
+    for (std::size_t i = 0; i < energies_.size(); ++i) {
+        const std::size_t c = world.cloths.size();
+        const auto first = static_cast<std::size_t>(
+            i < c ? world.cloths[i].first_vertex : world.solids[i - c].body.first_particle);
+        const auto [stretching, bending] =
+            energies_[i].measure(std::span(world.positions).subspan(first));
+        motion.membrane += stretching;
+        motion.bending += bending;
     }
     return motion;
 }

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "forces/constant_bending.h"
-#include "forces/edge_elements.h"
-#include "forces/membrane_elements.h"
+#include "frames/elastic_energy.h"
 #include "state/update_attachments.h"
 #include "step/advance.h"
 
@@ -12,8 +10,9 @@
 
 namespace weft {
 
-/// Stretch and shear over all cloth triangles, weighted by their rest area, and stretch of all
-/// edges of solids: length over rest length, each with the weight of half a square of the spacing.
+/// Stretch and shear over all triangles of cloth, weighted by their rest area. Of a cloth whose
+/// model is of edges stretch is that of the edges that resist it, length over rest length, which
+/// share its area between them; likewise of solids, each with half a square of the spacing.
 struct StrainStatistics {
     double stretch_min = 1.0;  ///< least principal stretch
     double stretch_mean = 1.0; ///< mean, 95th percentile and greatest of each triangle's greater
@@ -71,10 +70,8 @@ private:
 
     Vec3 gravity_;
     double fps_;
-    std::vector<Index> adaptions_;            ///< of the meshes that the elements are of
-    std::vector<MembraneElements> membranes_; ///< one a cloth
-    std::vector<ConstantBending> bendings_;
-    std::vector<EdgeElements> solids_; ///< one a solid
+    std::vector<Index> adaptions_; ///< of the meshes that the elements are of
+    std::vector<ElasticEnergy> energies_;
 };
 
 } // namespace weft

@@ -132,6 +132,15 @@ void drop_triangles(JoinedMesh& joined, std::span<const Index> numbers) {
     }
 }
 
+std::vector<Index> polygon_numbers(const JoinedMesh& joined) {
+    std::vector<Index> numbers;
+    for (std::size_t t = 0; t < joined.origins.size(); ++t) {
+        const bool is_same = t > 0 && joined.origins[t] == joined.origins[t - 1];
+        numbers.push_back(numbers.empty() ? 0 : numbers.back() + (is_same ? 0 : 1));
+    }
+    return numbers;
+}
+
 void flip_corner_uv(JoinedMesh& joined, std::size_t triangle) {
     if (!joined.corner_uv.empty()) {
         std::swap(joined.corner_uv[triangle][1], joined.corner_uv[triangle][2]);

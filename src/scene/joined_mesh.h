@@ -10,6 +10,7 @@ namespace weft {
 struct TriangleOrigin {
     std::size_t object; ///< in MeshFile::objects
     Index face;         ///< polygon in that object's mesh, from 0
+    bool operator==(const TriangleOrigin&) const = default;
 };
 
 /// Objects of a file behind one another in one mesh; the arrays by triangle stay in step.
@@ -37,6 +38,9 @@ void weld_mesh(JoinedMesh& joined, double tolerance, std::span<const Index> grou
 
 /// Drops triangles by number; `numbers` ascending and unique.
 void drop_triangles(JoinedMesh& joined, std::span<const Index> numbers);
+
+/// Numbers, from 0, of the polygons that triangles were cut from.
+std::vector<Index> polygon_numbers(const JoinedMesh& joined);
 
 /// Lets the uv of a triangle follow when its corners 1 and 2 change places.
 void flip_corner_uv(JoinedMesh& joined, std::size_t triangle);

@@ -48,6 +48,7 @@ public:
         check_size();
         result_.imported.mesh = std::move(joined_.mesh);
         result_.imported.corner_uv = std::move(joined_.corner_uv);
+        result_.imported.polygons = polygon_numbers(joined_);
         result_.imported.sources = std::move(joined_.sources);
         result_.imported.rig = file_.rig;
         return std::move(result_);

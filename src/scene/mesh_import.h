@@ -15,6 +15,7 @@ struct ImportedMesh {
     TriangleMesh mesh;
     /// uv of each triangle corner (texture units, not yet metres); empty when the file has none.
     std::vector<std::array<Vec2, 3>> corner_uv;
+    std::vector<Index> polygons;       ///< #T: those cut from one polygon have the same number
     std::size_t vertices_in_file = 0;  ///< as assimp gave them, split along seams and normals
     std::size_t triangles_in_file = 0; ///< after triangulation, before repair
     std::size_t triangles_removed = 0; ///< degenerate ones that `repair` dropped

@@ -2,7 +2,10 @@
 
 #include "base/error.h"
 #include "geometry/mixed_areas.h"
+#include "scene/law_shape.h"
 #include "scene/mesh_import.h"
+#include "state/build_network.h"
+#include "state/calibrate_network.h"
 #include "state/rest_shape.h"
 #include "state/shapes.h"
 
@@ -18,6 +21,7 @@ ImportedMesh make_grid(const ClothParams& params) {
     grid.mesh = grid_mesh(params.grid_size, params.grid_cells);
     const Vec2 half = 0.5 * params.grid_size;
     for (const Triangle& t : grid.mesh.triangles) {
+        grid.polygons.push_back(static_cast<Index>(grid.polygons.size() / 2));
         auto& uv = grid.corner_uv.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3& x = grid.mesh.positions[static_cast<std::size_t>(t[k])];
@@ -60,6 +64,35 @@ void warn_of_uv_units(const Cloth& cloth,
     }
 }
 
+/// Mass at each vertex: of the fabric, or of the whole object where edges hold it together.
+std::vector<double> vertex_masses(const Cloth& cloth) {
+    const double density = cloth.params.model == Model::Corotational
+                               ? cloth.params.fabric.area_density
+                               : cloth.params.spring.mass / rest_area(cloth);
+    std::vector<double> masses;
+    for (const double area : cloth.rest_areas) {
+        masses.push_back(density * area);
+    }
+    return masses;
+}
+
+void build_network(Cloth& cloth,
+                   std::span<const Index> polygons,
+                   const std::function<void(const std::string&)>& warn) {
+    const ClothParams& params = cloth.params;
+    if (params.model == Model::Corotational) {
+        return;
+    }
+    cloth.network = cloth_network(cloth, polygons);
+    if (const std::string text = softening_text(params.model, params.spring); !text.empty()) {
+        warn(fmt::format("cloth '{}': {}; it snaps through there", cloth.name, text));
+    }
+    if (params.spring.calibrate && params.model != Model::StvkTriangle) {
+        warn(fmt::format("cloth '{}': its calibrated edges differ from its fabric by {}",
+                         cloth.name, calibration_error_text(cloth)));
+    }
+}
+
 } // namespace
 
 void append_cloth(World& world,
@@ -90,8 +123,10 @@ void append_cloth(World& world,
     for (std::size_t i = 0; i < positions.size(); ++i) {
         world.positions.push_back(place(params.placement, imported.mesh.positions[i]));
         world.velocities.push_back(params.velocity);
-        world.masses.push_back(params.fabric.area_density * cloth.rest_areas[i]);
     }
+    const std::vector<double> masses = vertex_masses(cloth);
+    world.masses.insert(world.masses.end(), masses.begin(), masses.end());
+    build_network(cloth, imported.polygons, warn);
     world.cloths.push_back(std::move(cloth));
 }
 

@@ -2,7 +2,9 @@
 
 #include "forces/air.h"
 #include "forces/bend_damping.h"
+#include "forces/edge_elements.h"
 #include "forces/membrane_elements.h"
+#include "forces/stvk_triangle_elements.h"
 
 #include <cassert>
 #include <numeric>
@@ -84,6 +86,46 @@ private:
     std::size_t first_ = 0, count_ = 0;
 };
 
+/// The edges of a solid, between its particles.
+class ForceSystem::SolidGroup : public Group {
+public:
+    SolidGroup(const World& world, std::size_t solid)
+        : solid_(solid), elements_(world.solids[solid].network,
+                                   world.solids[solid].params.model,
+                                   world.solids[solid].params.spring) {
+        find_particles(world);
+    }
+
+    ElementSet set() const override {
+        return {EdgeElements::k_nodes, elements_.nodes(), static_cast<Index>(first_)};
+    }
+    std::vector<Index> adapt(const World& world, std::span<const ClothChanges>) override {
+        find_particles(world);
+        return {};
+    }
+    void evaluate(std::span<const Vec3> x,
+                  std::span<const Vec3> v,
+                  SystemScales scales,
+                  std::span<Vec3> forces,
+                  std::span<Mat3> blocks) const override {
+        elements_.evaluate(x.subspan(first_), v.subspan(first_), scales, forces, blocks);
+    }
+    void forces(std::span<const Vec3> x,
+                std::span<const Vec3> v,
+                std::span<Vec3> forces) const override {
+        elements_.forces(x.subspan(first_), v.subspan(first_), forces);
+    }
+
+private:
+    void find_particles(const World& world) {
+        first_ = static_cast<std::size_t>(world.solids[solid_].body.first_particle);
+    }
+
+    std::size_t solid_;
+    EdgeElements elements_;
+    std::size_t first_ = 0;
+};
+
 /// Blocks never change: the assembler has them.
 class ForceSystem::BendingGroup : public Group {
 public:
@@ -153,15 +195,28 @@ ForceSystem::ForceSystem(const World& world, const SceneParams& params) {
             std::make_unique<ClothGroup<decltype(elements)>>(world, cloth, std::move(elements)));
     };
     for (std::size_t c = 0; c < world.cloths.size(); ++c) {
-        add(c, MembraneElements(world.cloths[c]));
-        add(c, BendDampingElements(world.cloths[c]));
-        add(c, AirElements(world.cloths[c], params));
+        const Cloth& cloth = world.cloths[c];
+        if (cloth.params.model == Model::Corotational) {
+            add(c, MembraneElements(cloth));
+            add(c, BendDampingElements(cloth));
+        } else {
+            add(c, EdgeElements(cloth.network, cloth.params.model, cloth.params.spring));
+        }
+        if (cloth.params.model == Model::StvkTriangle) {
+            add(c, StvkTriangleElements(cloth));
+        }
+        add(c, AirElements(cloth, params));
+    }
+    for (std::size_t s = 0; s < world.solids.size(); ++s) {
+        groups_.push_back(std::make_unique<SolidGroup>(world, s));
     }
     auto attachments = std::make_unique<AttachmentGroup>(world);
     attachments_ = attachments.get();
     groups_.push_back(std::move(attachments));
     for (std::size_t c = 0; c < world.cloths.size(); ++c) {
-        groups_.push_back(std::make_unique<BendingGroup>(world, c));
+        if (world.cloths[c].params.model == Model::Corotational) {
+            groups_.push_back(std::make_unique<BendingGroup>(world, c));
+        }
     }
     assembler_ = std::make_unique<Assembler>(vertex_ranges(world), sets());
     resize_arrays();

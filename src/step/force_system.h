@@ -46,6 +46,7 @@ public:
 private:
     class Group;
     template <typename Elements> class ClothGroup;
+    class SolidGroup;
     class BendingGroup;
     class AttachmentGroup;
 
