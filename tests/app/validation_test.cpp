@@ -147,6 +147,11 @@ TEST(Validation, HangingStrip) {
     expect_within(validate_hanging_strip());
 }
 
+TEST(Validation, ColumnsOfEdges) {
+    expect_within(validate_loaded_chain());
+    expect_within(validate_hanging_chain());
+}
+
 TEST(Validation, Catenary) {
     expect_within(validate_catenary());
 }

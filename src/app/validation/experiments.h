@@ -52,6 +52,8 @@ ValidationRows validate_membrane_frequency();
 ValidationRows validate_order_in_time();
 ValidationRows validate_order_in_space();
 ValidationRows validate_adaptive_periods();
+ValidationRows validate_loaded_chain();
+ValidationRows validate_hanging_chain();
 ValidationRows validate_incline(bool thorough);
 ValidationRows validate_two_sheets(bool thorough);
 ValidationRows validate_capstan(bool thorough);
