@@ -16,9 +16,11 @@ double body(const Vec3& p) {
     const double trunk = ellipsoid_distance(p, {0.0, 0.105, -0.020}, {0.080, 0.090, 0.105});
     const double chest = ellipsoid_distance(p, {0.0, 0.125, 0.050}, {0.060, 0.075, 0.055});
     const double haunch = ellipsoid_distance(p, {0.058, 0.068, -0.055}, {0.042, 0.060, 0.064});
+    const double belly = ellipsoid_distance(p, {0.0, 0.052, 0.020}, {0.072, 0.047, 0.092});
     const double tail = ellipsoid_distance(p, {0.0, 0.075, -0.137}, {0.028, 0.027, 0.025});
     const double trunk_and_chest = smooth_union(trunk, chest, 0.05);
-    return smooth_union(smooth_union(trunk_and_chest, haunch, 0.03), tail, 0.012);
+    const double torso = smooth_union(trunk_and_chest, belly, 0.03);
+    return smooth_union(smooth_union(torso, haunch, 0.03), tail, 0.012);
 }
 
 double head(const Vec3& p) {
