@@ -65,7 +65,7 @@ Stage build_stage(const Frame& frame, int quantity, const Box3& bounds, const Ve
             continue;
         }
         if (object.kind == ObjectKind::Solid && !values.empty()) {
-            append_creased(stage.cloth, object, values);
+            append_creased(stage.cloth, object, values, k_solid_crease_cosine);
             continue;
         }
         const Box3 box = object_bounds(object);

@@ -7,8 +7,6 @@ namespace weft {
 
 namespace {
 
-constexpr float k_crease_cosine = 0.766F; // of 40 degrees
-
 Vec3f area_normal(const FrameObject& object, const Triangle& t) {
     const auto at = [&](std::size_t corner) {
         return object.positions[static_cast<std::size_t>(t[corner])];
@@ -82,7 +80,10 @@ void append_smooth(Surface& surface, const FrameObject& object, std::span<const 
     }
 }
 
-void append_creased(Surface& surface, const FrameObject& object, std::span<const float> values) {
+void append_creased(Surface& surface,
+                    const FrameObject& object,
+                    std::span<const float> values,
+                    float crease_cosine) {
     check(object);
     assert(values.empty() || values.size() == object.positions.size());
     const Corners corners(object);
@@ -108,7 +109,7 @@ void append_creased(Surface& surface, const FrameObject& object, std::span<const
             const std::size_t t = corners.list[c] / 3;
             std::size_t group = 0;
             while (group < group_seed.size() &&
-                   group_seed[group].dot(unit_normals[t]) < k_crease_cosine) {
+                   group_seed[group].dot(unit_normals[t]) < crease_cosine) {
                 ++group;
             }
             if (group == group_seed.size()) {

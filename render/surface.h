@@ -28,11 +28,15 @@ struct Surface {
 /// `values` is #V or empty.
 void append_smooth(Surface& surface, const FrameObject& object, std::span<const float> values);
 
-/// Adds an object whose edges stay sharp where neighbouring triangles turn by more than 40 degrees:
+inline constexpr float k_crease_cosine = 0.766F;       ///< of 40 degrees
+inline constexpr float k_solid_crease_cosine = 0.423F; ///< of 65 degrees: soft things are round
+
+/// Adds an object whose edges stay sharp where neighbouring triangles turn by more than an angle:
 /// such a vertex is repeated, once for each group of triangles that are smooth together. `values`
 /// is #V or empty.
 void append_creased(Surface& surface,
                     const FrameObject& object,
-                    std::span<const float> values = {});
+                    std::span<const float> values = {},
+                    float crease_cosine = k_crease_cosine);
 
 } // namespace weft
