@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "geometry/closest_points.h"
 #include "geometry/curvature.h"
+#include "geometry/dihedral.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,15 @@ std::vector<Box> boxes_of(std::span<const Triangle> triangles, std::span<const V
     return boxes;
 }
 
+template <typename Ridges>
+std::vector<Box> ridge_boxes(const Ridges& ridges, std::span<const Vec3> x) {
+    std::vector<Box> boxes;
+    for (const auto& ridge : ridges) {
+        boxes.push_back(segment_box(x[at(ridge.ends[0])], x[at(ridge.ends[1])], 0.0));
+    }
+    return boxes;
+}
+
 } // namespace
 
 ObstacleCurvature::ObstacleCurvature(const World& world) {
@@ -33,14 +43,34 @@ ObstacleCurvature::ObstacleCurvature(const World& world) {
         body.places = *obstacle_shape(obstacle, 0.0);
         body.curvature = mean_curvatures(body.places, obstacle.mesh.triangles, obstacle.topology);
         body.tree = BoxTree(boxes_of(obstacle.mesh.triangles, body.places));
+        find_ridges(obstacle, body);
         bodies_.push_back(std::move(body));
     }
+}
+
+void ObstacleCurvature::find_ridges(const Obstacle& obstacle, Body& body) {
+    const auto& x = body.places;
+    for (const MeshEdge& edge : obstacle.topology.edges) {
+        if (edge.is_boundary()) {
+            continue;
+        }
+        const double angle = dihedral_angle(x[at(edge.v[0])], x[at(edge.v[1])], x[at(edge.apex[0])],
+                                            x[at(edge.apex[1])]);
+        if (angle > k_ridge) {
+            body.ridges.push_back({edge.v, angle});
+        }
+    }
+    for (const Ridge& ridge : body.ridges) {
+        body.curvature[at(ridge.ends[0])] = body.curvature[at(ridge.ends[1])] = 0.0;
+    }
+    body.ridge_tree = BoxTree(ridge_boxes(body.ridges, x));
 }
 
 void ObstacleCurvature::fit(const Obstacle& obstacle, double time, Body& body) const {
     if (deforms(obstacle) && body.fitted != time) {
         body.places = *obstacle_shape(obstacle, time);
         body.tree.refit(boxes_of(obstacle.mesh.triangles, body.places));
+        body.ridge_tree.refit(ridge_boxes(body.ridges, body.places));
         body.fitted = time;
     }
 }
@@ -72,6 +102,21 @@ double ObstacleCurvature::nearest(const Obstacle& obstacle,
     return curvature;
 }
 
+/// Greatest angle of the ridges within reach of p, rad; 0: there is none.
+double ObstacleCurvature::nearest_ridge(const Body& body, const Vec3& p, double reach) {
+    double angle = 0.0;
+    body.ridge_tree.query(segment_box(p, p, reach), [&](Index i) {
+        const Ridge& ridge = body.ridges[at(i)];
+        const Vec3& a = body.places[at(ridge.ends[0])];
+        const Vec3 along = body.places[at(ridge.ends[1])] - a;
+        const double share = closest_weight_on_segment(p, a, a + along);
+        if ((p - a - share * along).squaredNorm() < reach * reach) {
+            angle = std::max(angle, ridge.angle);
+        }
+    });
+    return angle;
+}
+
 void ObstacleCurvature::find(const World& world,
                              const Cloth& cloth,
                              double time,
@@ -92,7 +137,9 @@ void ObstacleCurvature::find(const World& world,
         parallel_for(x.size(), [&](std::size_t i) {
             const Vec3 p = pose.rotation.transpose() * (x[i] - pose.translation);
             const double far = reach[i] + k_look_ahead * v[i].norm();
-            curvature[i] = std::max(curvature[i], nearest(obstacle, bodies_[o], p, far));
+            const double over_ridge = nearest_ridge(bodies_[o], p, far) / (2.0 * reach[i]);
+            curvature[i] =
+                std::max({curvature[i], over_ridge, nearest(obstacle, bodies_[o], p, far)});
         });
     }
 }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace weft {
 namespace {
 
@@ -96,6 +98,24 @@ TEST(ObstacleCurvature, GoesWithAnObstacleThatDeforms) {
     }
     curvature.find(scenery.world, scenery.world.cloths[0], 0.0, scenery.found);
     expect_curvature_within(scenery, 2.0, k_reach);
+}
+
+TEST(ObstacleCurvature, OfARidgeIsItsAngleWithinOneTriangleAndNothingBeside) {
+    World world;
+    test::add_sheet(world, 5, 1.0, 0.02, {});
+    test::add_box(world, Vec3(2.0, 1.0, 4.0), Vec3(-0.9, -0.5, 0.0)); // ends at x = 0.1
+    std::vector<double> found;
+
+    ObstacleCurvature(world).find(world, world.cloths[0], 0.0, found);
+
+    int over_ridge = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const bool is_over = std::abs(world.positions[i].x() - 0.1) < 0.01;
+        const double quarter_turn = 0.5 * std::numbers::pi / (2.0 * k_reach);
+        EXPECT_NEAR(found[i], is_over ? quarter_turn : 0.0, 0.01);
+        over_ridge += is_over ? 1 : 0;
+    }
+    EXPECT_EQ(over_ridge, 6);
 }
 
 TEST(ObstacleCurvature, OfSeveralObstaclesIsTheGreatest) {
