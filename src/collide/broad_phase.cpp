@@ -175,6 +175,9 @@ void BroadPhase::look_at(const ContactSurface& surface,
                          Index s,
                          Index t,
                          std::vector<Candidate>& out) const {
+    if (surface.is_off(s, t)) {
+        return;
+    }
     const Triangle& a = surface.triangles[at(s)];
     const Triangle& b = surface.triangles[at(t)];
     const auto add = [&](std::array<Index, 4> v, std::array<Index, 2> triangles, PairKind kind) {

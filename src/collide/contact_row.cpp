@@ -1,5 +1,7 @@
 #include "collide/contact_row.h"
 
+#include "collide/carried_motion.h"
+
 namespace weft {
 
 namespace {
@@ -26,23 +28,9 @@ Vec3 fallback_normal(PairKind kind, const PairPoints& x) {
 Vec3 relative_velocity(const ContactRow& row, const ContactSurface& surface) {
     Vec3 v = Vec3::Zero();
     for (std::size_t i = 0; i < 4; ++i) {
-        v += row.weights[i] * surface.velocity[at(row.vertices[i])];
+        v += row.weights[i] * velocity_of(surface, row.vertices[i]);
     }
     return v;
-}
-
-void push(const ContactRow& row,
-          const Vec3& impulse,
-          ContactSurface& surface,
-          std::span<char> touched) {
-    for (std::size_t i = 0; i < 4; ++i) {
-        const std::size_t v = at(row.vertices[i]);
-        const double share = row.weights[i] * surface.inverse_mass[v];
-        if (share != 0.0) {
-            surface.velocity[v] += share * impulse;
-            touched[v] = 1;
-        }
-    }
 }
 
 /// Sets one row right; returns the change of its relative velocity.
@@ -51,7 +39,7 @@ double settle(ContactRow& row, ContactSurface& surface, std::span<char> touched)
     const double speed = row.normal.dot(v);
     const double impulse = std::max(0.0, row.impulse + row.mass * (row.least_speed - speed));
     const Vec3 across = v - speed * row.normal;
-    Vec3 drag = row.drag - row.mass * across;
+    Vec3 drag = row.drag - row.drag_mass * across;
     const double limit = row.friction * impulse;
     const double wanted = drag.norm();
     if (wanted > limit) {
@@ -63,7 +51,7 @@ double settle(ContactRow& row, ContactSurface& surface, std::span<char> touched)
     }
     row.impulse = impulse;
     row.drag = drag;
-    push(row, change, surface, touched);
+    push_pair(surface, row.vertices, row.weights, change, touched);
     return change.norm() / row.mass;
 }
 
@@ -98,14 +86,13 @@ ContactRow make_row(const ContactSurface& surface,
                    .mass = 0.0,
                    .least_speed = 0.0,
                    .friction = rule.friction};
-    double inverse_mass = 0.0;
     Vec3 apart = Vec3::Zero();
     for (std::size_t i = 0; i < 4; ++i) {
-        const double w = row.weights[i];
-        inverse_mass += w * w * surface.inverse_mass[at(row.vertices[i])];
-        apart += w * x[i];
+        apart += row.weights[i] * x[i];
     }
-    row.mass = inverse_mass > 0.0 ? 1.0 / inverse_mass : 0.0;
+    const PairMass mass = mass_of_pair(surface, row.vertices, row.weights, row.normal);
+    row.mass = mass.along;
+    row.drag_mass = mass.across;
     const double overlap =
         surface.thickness_of(candidate.vertices, candidate.kind) - row.normal.dot(apart);
     row.least_speed = overlap / dt * (overlap > 0.0 ? parting_share(dt) : 1.0);
@@ -119,6 +106,7 @@ double sweep(std::span<ContactRow> rows, ContactSurface& surface, std::span<char
             largest = std::max(largest, settle(row, surface, touched));
         }
     }
+    follow_particles(surface, touched);
     return largest;
 }
 

@@ -11,9 +11,10 @@ struct ContactRow {
     std::array<double, 4> weights; ///< as in Separation
     PairKind kind;
     Vec3 normal;              ///< unit, from side 2 to side 1
-    double mass;              ///< 1 / sum of weight^2 / mass, kg
+    double mass;              ///< that an impulse along the normal pushes, kg
     double least_speed;       ///< m/s
     double friction;          ///< Coulomb
+    double drag_mass = 0.0;   ///< that one across it pushes, kg, at most
     double impulse = 0.0;     ///< along normal so far, N s, >= 0
     Vec3 drag = Vec3::Zero(); ///< across, so far, N s; |drag| <= friction * impulse
 };

@@ -84,7 +84,7 @@ struct ContactSolver::Impl {
 
     Impl(const World& world, const ContactParams& contact)
         : params(contact), surface(make_surface(world, contact)),
-          broad_phase(surface, contact.self), crossing_search(surface, contact.self) {
+          broad_phase(surface, meets_self()), crossing_search(surface, meets_self()) {
         for (const ContactObject& object : surface.objects) {
             if (contact.self && object.least_thickness < object.thickness) {
                 warnings.push_back(fmt::format(
@@ -94,6 +94,9 @@ struct ContactSolver::Impl {
             }
         }
     }
+
+    /// Whether what moves by forces is looked at against itself: bodies always are.
+    bool meets_self() const { return params.self || !surface.bodies.empty(); }
 
     ContactReport resolve(double dt, std::optional<std::span<const Contact>> contacts);
     void find_candidates(double dt);
@@ -206,7 +209,7 @@ bool ContactSolver::Impl::pass_of_impulses(int pass, double dt, ContactReport& r
 }
 
 void ContactSolver::Impl::count_zones(ContactReport& report) {
-    islands.reset(at(surface.deformable_vertices));
+    islands.reset(surface);
     std::vector<char> seen(at(surface.deformable_vertices), 0);
     for (const Impact& impact : impacts) {
         islands.join(surface, candidates[at(impact.candidate)].vertices);
@@ -278,7 +281,7 @@ void ContactSolver::Impl::find_all_impacts(double dt) {
 
 /// Cuts back islands until nothing is met; returns the impacts that are left.
 int ContactSolver::Impl::cut_back_rest(double dt, ContactReport& report) {
-    islands.reset(at(surface.deformable_vertices));
+    islands.reset(surface);
     for (int round = 0;; ++round) {
         if (!broad_phase.covers(surface, dt)) {
             find_candidates(dt);
@@ -413,7 +416,7 @@ void ContactSolver::remesh(const World& world, std::span<const Vec3> start) {
     const auto old_count = static_cast<long>(impl.surface.deformable_vertices);
     impl.surface = make_surface(world, impl.params);
     impl.broad_phase.remesh(impl.surface, start);
-    impl.crossing_search = CrossingSearch(impl.surface, impl.params.self);
+    impl.crossing_search = CrossingSearch(impl.surface, impl.meets_self());
     impl.clean_start.clear();
     if (!impl.clean_end.empty()) {
         impl.clean_end.erase(impl.clean_end.begin(), impl.clean_end.begin() + old_count);

@@ -1,6 +1,9 @@
 #include "collide/contact_surface.h"
 
 #include "base/parallel.h"
+#include "state/rigid_motion.h"
+
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cassert>
@@ -46,6 +49,29 @@ void add_mesh(ContactSurface& surface,
     surface.objects.push_back(std::move(object));
 }
 
+/// Adds what a body carries; its particles belong to the object, too.
+void add_body(ContactSurface& surface, const Body& body, ContactBody carried) {
+    ContactObject object{.name = body.name,
+                         .first_vertex = body.first_vertex,
+                         .vertex_count = body.vertex_count,
+                         .thickness = body.thickness,
+                         .least_thickness = body.thickness,
+                         .friction = body.friction,
+                         .static_friction = body.static_friction,
+                         .body = static_cast<Index>(surface.bodies.size()),
+                         .touches_itself = body.touches_itself};
+    const Index end = body.first_particle + body.particle_count;
+    const auto index = static_cast<Index>(surface.objects.size());
+    surface.self_thickness.resize(at(end), body.thickness);
+    add_mesh(surface, std::move(object), body.triangles, body.topology);
+    surface.object_of_vertex.resize(at(end), index);
+    carried.first_vertex = body.first_vertex;
+    carried.vertex_count = body.vertex_count;
+    carried.first_particle = body.first_particle;
+    carried.particle_count = body.particle_count;
+    surface.bodies.push_back(carried);
+}
+
 /// Lists the neighbours of each vertex.
 void build_rings(ContactSurface& surface, std::size_t vertices) {
     std::vector<std::pair<Index, Index>> links;
@@ -81,6 +107,14 @@ find_pair(std::span<const FrictionPair> table, const std::string& a, const std::
     return found == table.end() ? nullptr : &*found;
 }
 
+bool are_off(const ContactSurface& surface, std::size_t a, std::size_t b, bool cloth_meets_cloth) {
+    const auto is_cloth = [&](std::size_t i) {
+        return !surface.objects[i].is_obstacle && surface.objects[i].body == k_no_index;
+    };
+    return (a == b && !surface.objects[a].touches_itself) ||
+           (!cloth_meets_cloth && is_cloth(a) && is_cloth(b));
+}
+
 PairRule rule_between(const ContactObject& a,
                       const ContactObject& b,
                       std::span<const FrictionPair> friction) {
@@ -92,6 +126,28 @@ PairRule rule_between(const ContactObject& a,
     }
     return {thickness, std::sqrt(a.friction * b.friction),
             std::sqrt(a.static_friction * b.static_friction)};
+}
+
+/// After their particles: what it takes to move a carried vertex, and rigid bodies as a whole.
+void place_bodies(ContactSurface& surface) {
+    for (ContactBody& body : surface.bodies) {
+        parallel_for(at(body.vertex_count), [&](std::size_t i) {
+            const std::size_t v = at(body.first_vertex) + i;
+            const Carrier& carrier = *surface.carriers.of(static_cast<Index>(v));
+            surface.inverse_mass[v] = 0.0;
+            for (std::size_t k = 0; k < 4 && carrier.particles[k] != k_no_index; ++k) {
+                surface.inverse_mass[v] += carrier.weights[k] * carrier.weights[k] *
+                                           surface.inverse_mass[at(carrier.particles[k])];
+            }
+        });
+        if (body.is_rigid) {
+            const std::size_t p = at(body.first_particle);
+            const FourPoints x{surface.start[p], surface.start[p + 1], surface.start[p + 2],
+                               surface.start[p + 3]};
+            body.centre = 0.25 * (x[0] + x[1] + x[2] + x[3]);
+            body.inverse_inertia = (body.mass * inertia_of(x)).inverse();
+        }
+    }
 }
 
 void place_rigid(ContactSurface& surface,
@@ -177,6 +233,13 @@ ContactSurface make_surface(const World& world, const ContactParams& contact) {
         object.static_friction = fabric.static_friction.value_or(fabric.friction);
         add_mesh(surface, std::move(object), cloth.triangles, cloth.topology);
     }
+    for (const Solid& solid : world.solids) {
+        add_body(surface, solid.body, {});
+    }
+    for (const RigidBody& rigid : world.rigids) {
+        add_body(surface, rigid.body, {.is_rigid = true, .mass = rigid.params.mass});
+    }
+    surface.carriers = make_carrier_table(world);
     surface.deformable_vertices = static_cast<Index>(world.vertex_count());
     surface.deformable_triangles = static_cast<Index>(surface.triangles.size());
     auto next_vertex = surface.deformable_vertices;
@@ -190,9 +253,11 @@ ContactSurface make_surface(const World& world, const ContactParams& contact) {
         next_vertex += object.vertex_count;
         add_mesh(surface, std::move(object), obstacle.mesh.triangles, obstacle.topology);
     }
-    for (const ContactObject& a : surface.objects) {
-        for (const ContactObject& b : surface.objects) {
-            surface.rules.push_back(rule_between(a, b, contact.friction));
+    for (std::size_t a = 0; a < surface.objects.size(); ++a) {
+        for (std::size_t b = 0; b < surface.objects.size(); ++b) {
+            surface.rules.push_back(
+                rule_between(surface.objects[a], surface.objects[b], contact.friction));
+            surface.rules.back().is_off = are_off(surface, a, b, contact.self);
         }
     }
     const std::size_t vertices = at(next_vertex);
@@ -219,9 +284,11 @@ void place_surface(ContactSurface& surface,
         surface.velocity[i] = velocities[i];
         surface.inverse_mass[i] = held[i] ? 0.0 : 1.0 / world.masses[i];
     });
+    place_bodies(surface);
     for (std::size_t o = 0; o < world.obstacles.size(); ++o) {
         const Obstacle& obstacle = world.obstacles[o];
-        ContactObject& object = surface.objects[world.cloths.size() + o];
+        ContactObject& object =
+            surface.objects[surface.objects.size() - world.obstacles.size() + o];
         if (object.deforms) {
             place_deforming(surface, object, obstacle, world.time, dt);
         } else {

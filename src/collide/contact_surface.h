@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/separation.h"
-#include "state/world.h"
+#include "state/carrier_table.h"
 
 #include <span>
 
@@ -18,6 +18,8 @@ struct ContactObject {
     double friction = 0.0;        ///< Coulomb, kinetic
     double static_friction = 0.0; ///< Coulomb, of what rests
     Pose start{}, end{};          ///< of a rigid obstacle, over the substep
+    Index body = k_no_index;      ///< of ContactSurface::bodies; none: cloth, obstacle
+    bool touches_itself = true;   ///< false: it cannot
     bool deforms = false;         ///< an obstacle that changes its shape
     std::uint64_t motion_number = 0; ///< of a deforming obstacle: the same while it rests
 };
@@ -27,12 +29,28 @@ struct PairRule {
     double thickness; ///< wanted distance, m; of two deformables: where their meshes are coarse
     double friction;  ///< Coulomb, kinetic
     double static_friction; ///< Coulomb, of what rests; >= friction
+    bool is_off = false;    ///< they do not touch each other
 };
 
-/// All surfaces as one: the vertices of the deformables (as in World), then those of the obstacles;
-/// triangles likewise. Obstacle vertices are vertices of infinite mass, like held ones.
+/// What carries the vertices of one object (Body).
+struct ContactBody {
+    Index first_vertex = 0, vertex_count = 0;     ///< of ContactSurface, as of World
+    Index first_particle = 0, particle_count = 0; ///< likewise
+    bool is_rigid = false;
+    // of a rigid body, at the start of the substep:
+    double mass = 0.0;                   ///< kg
+    Vec3 centre = Vec3::Zero();          ///< m
+    Mat3 inverse_inertia = Mat3::Zero(); ///< about it, 1/(kg m^2)
+};
+
+/// All surfaces as one: the vertices of all that moves by forces (as in World, particles that carry
+/// others among them), then those of the obstacles; triangles likewise. Obstacle vertices are
+/// vertices of infinite mass, like held ones. What moves by forces is called deformable here, rigid
+/// bodies too.
 struct ContactSurface {
-    std::vector<ContactObject> objects; ///< cloths, then obstacles, as in World
+    std::vector<ContactObject> objects; ///< cloths, solids, rigid bodies, obstacles, as in World
+    std::vector<ContactBody> bodies;    ///< solids, then rigid bodies
+    CarrierTable carriers;              ///< of deformable vertices
     std::vector<PairRule> rules;        ///< #objects x #objects, row by row
     Index deformable_vertices = 0;
     Index deformable_triangles = 0;
@@ -54,7 +72,7 @@ struct ContactSurface {
 
     std::vector<Vec3> start;          ///< at the start of the substep, m
     std::vector<Vec3> velocity;       ///< along the substep, m/s
-    std::vector<double> inverse_mass; ///< 1/kg; 0 = infinite
+    std::vector<double> inverse_mass; ///< 1/kg; 0 = infinite; of a carried vertex alone
 
     bool owns_corner(Index triangle, std::size_t k) const {
         return (owned[static_cast<std::size_t>(triangle)] & (1 << k)) != 0;
@@ -72,6 +90,20 @@ struct ContactSurface {
         return are_one(t[0], v) || are_one(t[1], v) || are_one(t[2], v);
     }
     bool is_deformable(Index vertex) const { return vertex < deformable_vertices; }
+    /// What carries a deformable vertex; none: nothing does.
+    const ContactBody* body_of(Index vertex) const {
+        const Index body =
+            objects[static_cast<std::size_t>(object_of_vertex[static_cast<std::size_t>(vertex)])]
+                .body;
+        return body == k_no_index ? nullptr : &bodies[static_cast<std::size_t>(body)];
+    }
+    /// Two triangles of objects that do not touch each other?
+    bool is_off(Index s, Index t) const {
+        return !bodies.empty() &&
+               rules[static_cast<std::size_t>(rule_of(triangles[static_cast<std::size_t>(s)][0],
+                                                      triangles[static_cast<std::size_t>(t)][0]))]
+                   .is_off;
+    }
     /// Wanted distance of a pair, m.
     double thickness_of(const std::array<Index, 4>& pair, PairKind kind) const;
     Index rule_of(Index vertex_a, Index vertex_b) const {

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "collide/contact.h"
 #include "geometry/crossing.h"
+#include "state/world_objects.h"
 
 #include <cassert>
 
@@ -83,7 +84,8 @@ std::vector<std::array<Index, 2>> CrossingSearch::find(const ContactSurface& sur
                 found_[i].clear();
                 BoxTree::overlaps(a, b, tasks_[i], [&](Index s, Index t) {
                     const Index other = first_b + t;
-                    if (triangles_cross(surface, s, other, positions)) {
+                    if (!surface.is_off(s, other) &&
+                        triangles_cross(surface, s, other, positions)) {
                         found_[i].push_back({std::min(s, other), std::max(s, other)});
                     }
                 });
@@ -102,8 +104,8 @@ std::vector<std::array<Index, 2>> CrossingSearch::find(const ContactSurface& sur
 }
 
 WorldCrossings::WorldCrossings(const World& world, bool self)
-    : self_(self), adaptions_(adaptions_of(world)), surface_(make_surface(world)),
-      search_(surface_, self) {}
+    : self_(self), adaptions_(adaptions_of(world)), surface_(make_surface(world, {.self = self})),
+      search_(surface_, self || !surface_.bodies.empty()) {}
 
 std::vector<ContactProblem> WorldCrossings::find(const World& world, double time) {
     if (adaptions_ != adaptions_of(world)) {
@@ -125,18 +127,13 @@ std::vector<ContactProblem> WorldCrossings::find(const World& world, double time
 }
 
 std::vector<CrossingPair> find_crossings(const World& world, std::size_t limit) {
-    const auto name_of = [&](Index object) {
-        return at(object) < world.cloths.size()
-                   ? world.cloths[at(object)].name
-                   : world.obstacles[at(object) - world.cloths.size()].name;
-    };
     std::vector<CrossingPair> pairs;
     for (const ContactProblem& p : WorldCrossings(world, true).find(world, world.time)) {
         if (pairs.size() == limit) {
             break;
         }
-        pairs.push_back({name_of(p.objects[0]), name_of(p.objects[1]), p.triangles[0],
-                         p.triangles[1], p.place});
+        pairs.push_back({object_name(world, p.objects[0]), object_name(world, p.objects[1]),
+                         p.triangles[0], p.triangles[1], p.place});
     }
     return pairs;
 }

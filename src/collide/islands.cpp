@@ -54,7 +54,9 @@ AffineMotion obstacle_motion(const ContactObject& object, double dt) {
 /// alike.
 AffineMotion rigid_motion(const ContactSurface& surface, std::span<const Index> vertices) {
     const auto mass_of = [&](Index v) {
-        return surface.is_deformable(v) ? 1.0 / surface.inverse_mass[at(v)] : 1.0;
+        return !surface.is_deformable(v) ? 1.0
+               : surface.carriers.of(v)  ? 0.0 // its particles have it
+                                         : 1.0 / surface.inverse_mass[at(v)];
     };
     AffineMotion motion;
     double mass = 0.0;
@@ -154,6 +156,21 @@ AffineMotion reference_motion(const ContactSurface& surface, const Cut& cut, dou
 void Islands::reset(std::size_t vertex_count) {
     parent_.resize(vertex_count);
     std::iota(parent_.begin(), parent_.end(), 0);
+}
+
+void Islands::reset(const ContactSurface& surface) {
+    reset(at(surface.deformable_vertices));
+    for (const ContactBody& body : surface.bodies) {
+        const auto join_all = [&](Index first, Index count) {
+            for (Index v = first; v < first + count; ++v) {
+                if (surface.inverse_mass[at(v)] > 0.0) {
+                    parent_[at(v)] = body.first_vertex;
+                }
+            }
+        };
+        join_all(body.first_vertex, body.vertex_count);
+        join_all(body.first_particle, body.particle_count);
+    }
 }
 
 void Islands::join(const ContactSurface& surface, const std::array<Index, 4>& vertices) {

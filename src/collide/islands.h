@@ -10,6 +10,9 @@ class Islands {
 public:
     void reset(std::size_t vertex_count);
 
+    /// Every vertex alone, but each body one island: its vertices go where its particles do.
+    void reset(const ContactSurface& surface);
+
     /// Joins the vertices of finite mass of a pair.
     void join(const ContactSurface& surface, const std::array<Index, 4>& vertices);
 

@@ -130,6 +130,7 @@ bool are_of_one_mesh(const Cloth& cloth) {
 /// Vertices of later cloths and of bodies, and what names them, move along.
 void set_first_vertices(World& world) {
     Index next = 0;
+    Index old_end = 0; // of all cloths, as they were
     for (Cloth& cloth : world.cloths) {
         const Index old = cloth.first_vertex;
         const Index shift = next - old;
@@ -141,13 +142,14 @@ void set_first_vertices(World& world) {
                 v = v >= old && v < old + imported ? -2 - (v + shift) : v;
             }
         }
+        old_end = old + imported;
         cloth.first_vertex = next;
         next += cloth.vertex_count;
     }
     number_bodies(world);
     for (AttachedPair& pair : world.attached_pairs) {
         for (Index& v : pair.vertices) {
-            v = v < -1 ? -2 - v : v;
+            v = v < -1 ? -2 - v : v >= old_end ? v + next - old_end : v;
         }
     }
 }

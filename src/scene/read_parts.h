@@ -13,15 +13,16 @@ ContactParams read_contact(TomlTable table,
                            const std::vector<std::string>& movers,
                            const std::vector<std::string>& obstacles);
 /// @param base_dir   what the path of a fabric file is relative to
-/// @param obstacles  names that a pin may follow
+/// @param leaders    names of obstacles and rigid bodies that a pin may follow
 ClothParams read_cloth(TomlTable table,
                        const std::filesystem::path& base_dir,
-                       const std::vector<std::string>& obstacles);
+                       const std::vector<std::string>& leaders);
 /// One `[[cloth.pin]]`.
-PinParams read_pin(TomlTable table, const std::vector<std::string>& obstacles);
+PinParams read_pin(TomlTable table, const std::vector<std::string>& leaders);
 ObstacleParams read_obstacle(TomlTable table);
 /// @param leaders  names that a pin may follow
 SolidParams read_solid(TomlTable table, const std::vector<std::string>& leaders);
+RigidParams read_rigid(TomlTable table);
 /// @param cloths  names that a side may have
 AttachParams read_attach(TomlTable table, const std::vector<std::string>& cloths);
 RenderParams read_render(TomlTable table);

@@ -46,7 +46,7 @@ int read_selection(TomlTable& table, PinParams& pin) {
 
 } // namespace
 
-PinParams read_pin(TomlTable table, const std::vector<std::string>& obstacles) {
+PinParams read_pin(TomlTable table, const std::vector<std::string>& leaders) {
     PinParams pin;
     const int selections = read_selection(table, pin);
     table.read("until", pin.until);
@@ -57,11 +57,12 @@ PinParams read_pin(TomlTable table, const std::vector<std::string>& obstacles) {
     if (selections != 1) {
         table.fail("must have exactly one of vertices, box, corners = true and loop");
     }
-    if (follows && std::find(obstacles.begin(), obstacles.end(), pin.to) == obstacles.end()) {
-        const std::string nearest = nearest_key(pin.to, obstacles);
+    if (follows && std::find(leaders.begin(), leaders.end(), pin.to) == leaders.end()) {
+        const std::string nearest = nearest_key(pin.to, leaders);
         table.fail("to", nearest.empty()
-                             ? "must be the name of an obstacle; the scene has none"
-                             : "must be the name of an obstacle; the nearest is " + nearest);
+                             ? "must be the name of an obstacle or rigid body; the scene has none"
+                             : "must be the name of an obstacle or rigid body; the nearest is " +
+                                   nearest);
     }
     return pin;
 }

@@ -20,20 +20,25 @@ void require_unique_name(const TomlTable& table,
 
 void read_objects(TomlTable& root, Scene& scene) {
     std::set<std::string> taken;
-    std::vector<std::string> obstacle_names;
+    std::vector<std::string> leaders; ///< what pins may follow
     std::vector<std::string> cloth_names;
     for (const TomlTable& table : root.tables("obstacle")) {
         scene.obstacles.push_back(read_obstacle(table));
-        obstacle_names.push_back(scene.obstacles.back().name);
-        require_unique_name(table, obstacle_names.back(), taken);
+        leaders.push_back(scene.obstacles.back().name);
+        require_unique_name(table, leaders.back(), taken);
+    }
+    for (const TomlTable& table : root.tables("rigid")) {
+        scene.rigids.push_back(read_rigid(table));
+        leaders.push_back(scene.rigids.back().name);
+        require_unique_name(table, leaders.back(), taken);
     }
     for (const TomlTable& table : root.tables("cloth")) {
-        scene.cloths.push_back(read_cloth(table, scene.base_dir, obstacle_names));
+        scene.cloths.push_back(read_cloth(table, scene.base_dir, leaders));
         require_unique_name(table, scene.cloths.back().name, taken);
         cloth_names.push_back(scene.cloths.back().name);
     }
     for (const TomlTable& table : root.tables("solid")) {
-        scene.solids.push_back(read_solid(table, obstacle_names));
+        scene.solids.push_back(read_solid(table, leaders));
         require_unique_name(table, scene.solids.back().name, taken);
     }
     taken.clear(); // these name no files
@@ -55,7 +60,6 @@ Scene read_tree(const toml::table& tree, const std::filesystem::path& base_dir) 
     TomlTable root(tree, "");
     Scene scene;
     scene.base_dir = base_dir;
-    root.refuse_later("rigid");
     if (root.has("scene")) {
         scene.scene = read_scene_params(root.table("scene"));
     }
@@ -64,14 +68,16 @@ Scene read_tree(const toml::table& tree, const std::filesystem::path& base_dir) 
         std::vector<std::string> movers = names_of(scene.cloths);
         const std::vector<std::string> solids = names_of(scene.solids);
         movers.insert(movers.end(), solids.begin(), solids.end());
+        const std::vector<std::string> rigids = names_of(scene.rigids);
+        movers.insert(movers.end(), rigids.begin(), rigids.end());
         scene.contact = read_contact(root.table("contact"), movers, names_of(scene.obstacles));
     }
     if (root.has("render")) {
         scene.render = read_render(root.table("render"));
     }
     root.finish();
-    if (scene.cloths.empty() && scene.solids.empty()) {
-        root.fail("needs a [[cloth]] or [[solid]]: nothing would move");
+    if (scene.cloths.empty() && scene.solids.empty() && scene.rigids.empty()) {
+        root.fail("needs a [[cloth]], [[solid]] or [[rigid]]: nothing would move");
     }
     return scene;
 }

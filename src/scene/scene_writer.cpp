@@ -269,6 +269,29 @@ void write_obstacle(TomlWriter& out,
     }
 }
 
+void write_rigid(TomlWriter& out,
+                 const Scene& scene,
+                 const std::filesystem::path& folder,
+                 const RigidParams& rigid) {
+    out.header("[[rigid]]");
+    out.line("name", rigid.name);
+    if (rigid.shape == Shape::Mesh) {
+        write_mesh_source(out, scene, folder, rigid.mesh);
+    } else if (rigid.shape == Shape::Sphere) {
+        out.line("shape", "sphere");
+        out.line("radius", rigid.radius, "m");
+    } else {
+        out.line("shape", "box");
+        out.line("size", rigid.size, "m");
+    }
+    out.line("mass", rigid.mass, "kg");
+    write_placement(out, rigid.placement);
+    out.line("velocity", rigid.velocity, "m/s");
+    out.line("spin_deg", rigid.spin_deg, "degrees/s");
+    out.line("thickness", rigid.thickness, "m");
+    write_friction(out, rigid.friction, rigid.static_friction);
+}
+
 std::string vertex_text(const VertexChoice& choice) {
     return choice.vertex == k_no_index ? TomlWriter::toml_text(choice.place)
                                        : TomlWriter::toml_text(choice.vertex);
@@ -343,6 +366,9 @@ std::string write_scene(const Scene& scene, const std::filesystem::path& folder)
     }
     for (const SolidParams& solid : scene.solids) {
         write_solid(out, scene, folder, solid);
+    }
+    for (const RigidParams& rigid : scene.rigids) {
+        write_rigid(out, scene, folder, rigid);
     }
     for (const ObstacleParams& obstacle : scene.obstacles) {
         write_obstacle(out, scene, folder, obstacle);

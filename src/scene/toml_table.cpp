@@ -229,13 +229,6 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) {
     return found;
 }
 
-void TomlTable::refuse_later(std::string_view key) {
-    const toml::node* node = table_->get(key);
-    if (node != nullptr) {
-        fail_input("{}: {}: not there yet", place_of(node->source()), path_to(key));
-    }
-}
-
 void TomlTable::refuse(const std::string& problem) const {
     if (problem.empty()) {
         return;

@@ -61,8 +61,6 @@ public:
     /// The tables under a key: of `[[key]]` or an array of inline tables; none when it is missing.
     std::vector<TomlTable> tables(std::string_view key);
 
-    /// Refuses the key when it is there: the format has it, this program does not yet.
-    void refuse_later(std::string_view key);
     /// Refuses with a finding of problem(): "KEY = VALUE: what is allowed"; "" is fine. The place
     /// is the key's, or the table's when the value is a default.
     void refuse(const std::string& problem) const;

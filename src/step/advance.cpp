@@ -83,17 +83,17 @@ bool moves_too_far(const World& world,
     return false;
 }
 
-/// The same of each cloth and of the particles of each body.
+/// The same of each cloth and of the particles of each solid. Rigid bodies may turn as they like.
 bool moves_too_far(const World& world, std::span<const Vec3> end_positions) {
     bool moves = false;
     for (const Cloth& cloth : world.cloths) {
         moves =
             moves || moves_too_far(world, end_positions, cloth.first_vertex, cloth.vertex_count);
     }
-    for_each_body(world, [&](const Body& body) {
-        moves =
-            moves || moves_too_far(world, end_positions, body.first_particle, body.particle_count);
-    });
+    for (const Solid& solid : world.solids) {
+        moves = moves || moves_too_far(world, end_positions, solid.body.first_particle,
+                                       solid.body.particle_count);
+    }
     return moves;
 }
 
@@ -109,6 +109,7 @@ struct Stepper::Impl {
     void solve_impacts(const World& world, double dt, ImplicitReport& step);
     void finish(World& world, double dt);
     void verify(const World& world, double time, FrameReport& report);
+    void keep_turning(World& world) const;
     void forget_arrivals(World& world, double dt) const;
     void adapt(World& world, double time, FrameReport& report);
     void follow_mesh(const World& world);
@@ -256,10 +257,23 @@ void Stepper::Impl::finish(World& world, double dt) {
             world.previous_velocities[i] = previous_v;
         }
     });
+    keep_turning(world);
+    carry(world, world.positions);
+    carry(world, world.velocities);
     if (two_step) {
         forget_arrivals(world, dt);
     }
     world.history_dt = two_step ? dt : 0.0;
+}
+
+/// A turning body ends with another velocity than its average one, which is that of a chord.
+void Stepper::Impl::keep_turning(World& world) const {
+    for (const RigidBody& rigid : world.rigids) {
+        const auto first = static_cast<std::size_t>(rigid.body.first_particle);
+        for (std::size_t i = first; i < first + 4; ++i) {
+            world.velocities[i] = end_velocities[i] + (average_velocities[i] - free_velocities[i]);
+        }
+    }
 }
 
 /// A vertex that ran into an obstacle within the implicit solve must not keep its way there in its

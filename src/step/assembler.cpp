@@ -51,12 +51,16 @@ void Assembler::update(std::span<const VertexRange> objects,
 }
 
 void Assembler::list_vertices() {
-    site_of_vertex_.resize(rooms_.vertex_count());
+    site_of_vertex_.assign(rooms_.vertex_count(), k_no_index);
+    dof_of_vertex_.assign(rooms_.vertex_count(), k_no_index);
     vertex_of_site_.assign(rooms_.site_count(), k_no_index);
+    vertex_of_dof_.clear();
     for (const ElementRooms::Object& object : rooms_.objects()) {
         for (std::size_t i = 0; i < object.count; ++i) {
             site_of_vertex_[object.first + i] = static_cast<Index>(object.begin + i);
             vertex_of_site_[object.begin + i] = static_cast<Index>(object.first + i);
+            dof_of_vertex_[object.first + i] = static_cast<Index>(vertex_of_dof_.size());
+            vertex_of_dof_.push_back(static_cast<Index>(object.first + i));
         }
     }
 }
@@ -64,29 +68,34 @@ void Assembler::list_vertices() {
 /// Orders rows by the graph of the vertices alone: a function of the elements as they are.
 void Assembler::order_rows() {
     list_vertices();
-    const std::size_t n = site_of_vertex_.size();
+    const std::size_t n = vertex_of_dof_.size();
+    const auto site_of_dof = [&](std::size_t i) {
+        return at(site_of_vertex_[at(vertex_of_dof_[i])]);
+    };
     graph_begin_.assign(1, 0);
-    for (const Index site : site_of_vertex_) {
+    for (std::size_t i = 0; i < n; ++i) {
         graph_begin_.push_back(graph_begin_.back() +
-                               static_cast<Index>(sources_.neighbours(at(site)).size()));
+                               static_cast<Index>(sources_.neighbours(site_of_dof(i)).size()));
     }
     graph_column_.resize(at(graph_begin_.back()));
-    parallel_for(n, [&](std::size_t v) {
-        std::size_t k = at(graph_begin_[v]);
-        for (const auto& neighbour : sources_.neighbours(at(site_of_vertex_[v]))) {
-            graph_column_[k++] = vertex_of_site_[at(neighbour.site)];
+    parallel_for(n, [&](std::size_t i) {
+        std::size_t k = at(graph_begin_[i]);
+        for (const auto& neighbour : sources_.neighbours(site_of_dof(i))) {
+            graph_column_[k++] = dof_of_vertex_[at(vertex_of_site_[at(neighbour.site)])];
         }
     });
-    row_of_vertex_ = locality_order(graph_begin_, graph_column_);
+    const std::vector<Index> row_of_dof = locality_order(graph_begin_, graph_column_);
+    row_of_vertex_.assign(site_of_vertex_.size(), k_no_index);
     vertex_of_row_.resize(n);
     site_of_row_.resize(n);
     row_of_site_.assign(rooms_.site_count(), k_no_index);
-    for (std::size_t v = 0; v < n; ++v) {
-        const Index site = site_of_vertex_[v];
-        const Index row = row_of_vertex_[v];
-        vertex_of_row_[at(row)] = static_cast<Index>(v);
-        site_of_row_[at(row)] = site;
-        row_of_site_[at(site)] = row;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Index vertex = vertex_of_dof_[i];
+        const Index row = row_of_dof[i];
+        row_of_vertex_[at(vertex)] = row;
+        vertex_of_row_[at(row)] = vertex;
+        site_of_row_[at(row)] = static_cast<Index>(site_of_dof(i));
+        row_of_site_[site_of_dof(i)] = row;
     }
 }
 
@@ -163,6 +172,10 @@ void Assembler::assemble(std::span<const Mat3> element_blocks,
 void Assembler::gather_forces(std::span<const Vec3> element_forces, std::span<Vec3> forces) const {
     parallel_for(forces.size(), [&](std::size_t v) {
         Vec3 sum = Vec3::Zero();
+        if (site_of_vertex_[v] == k_no_index) {
+            forces[v] = sum;
+            return;
+        }
         for (const std::uint32_t source : sources_.forces(at(site_of_vertex_[v]))) {
             sum += element_forces[source];
         }

@@ -32,7 +32,8 @@ public:
     std::span<Mat3> blocks_of(std::size_t set, std::span<Mat3> element_blocks) const;
     std::span<Vec3> forces_of(std::size_t set, std::span<Vec3> element_forces) const;
 
-    /// The pattern without blocks, rows ordered for locality; row_of_vertex maps to it.
+    /// The pattern without blocks, rows ordered for locality; row_of_vertex maps to it, and is
+    /// k_no_index for vertices of no object.
     const BlockMatrix& pattern() const { return pattern_; }
     std::span<const Index> row_of_vertex() const { return row_of_vertex_; }
 
@@ -43,7 +44,7 @@ public:
                   std::span<const double> diagonal,
                   BlockMatrix& matrix) const;
 
-    /// forces[v] = sum of the element forces at vertex v.
+    /// forces[v] = sum of the element forces at vertex v; 0 where it is of no object.
     void gather_forces(std::span<const Vec3> element_forces, std::span<Vec3> forces) const;
 
 private:
@@ -61,10 +62,11 @@ private:
     SourceLists sources_;
     BlockMatrix pattern_;
     std::vector<Index> row_of_vertex_, vertex_of_row_, site_of_vertex_, site_of_row_;
-    std::vector<Index> vertex_of_site_, row_of_site_; ///< k_no_index: no vertex there
-    std::vector<Place> places_;                       ///< by pair; k_no_index: not used
-    std::vector<Index> graph_begin_, graph_column_;   ///< neighbours, by vertex
-    std::vector<Index> next_;                         ///< free place of each row
+    std::vector<Index> vertex_of_site_, row_of_site_;  ///< k_no_index: no vertex there
+    std::vector<Index> vertex_of_dof_, dof_of_vertex_; ///< vertices of objects, in their order
+    std::vector<Place> places_;                        ///< by pair; k_no_index: not used
+    std::vector<Index> graph_begin_, graph_column_;    ///< neighbours, by vertex of objects
+    std::vector<Index> next_;                          ///< free place of each row
 };
 
 } // namespace weft

@@ -24,7 +24,15 @@ void ContactForces::start(std::span<const Vec3> start, double dt) {
     dt_ = dt;
     contacts_ = {};
     springs_.clear();
+    terms_.clear();
+    terms_begin_.assign(1, 0);
+    places_begin_.assign(1, 0);
     ++revision_;
+}
+
+std::span<const ContactForces::Term> ContactForces::terms(std::size_t contact) const {
+    return std::span(terms_).subspan(terms_begin_[contact],
+                                     terms_begin_[contact + 1] - terms_begin_[contact]);
 }
 
 void ContactForces::take(std::span<const Contact> contacts) {
@@ -32,17 +40,54 @@ void ContactForces::take(std::span<const Contact> contacts) {
     contacts_ = contacts;
     ++revision_;
     for (const Contact& contact : contacts.subspan(springs_.size())) {
-        double stiffness = 0.0;
-        double weight = 0.0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            if (contact.vertices[i] != k_no_index) {
-                stiffness += std::abs(contact.weights[i]) * stiffness_[at(contact.vertices[i])];
-                weight += std::abs(contact.weights[i]);
-            }
-        }
-        stiffness /= weight;
+        const double stiffness = stiffness_of(contact);
         springs_.push_back(
             {{stiffness, std::max(contact.room, 1e-3 * contact.thickness)}, {stiffness, 0.0}});
+        add_terms(contact);
+    }
+}
+
+double ContactForces::stiffness_of(const Contact& contact) const {
+    double stiffness = 0.0;
+    double weight = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        if (contact.vertices[i] != k_no_index) {
+            stiffness += std::abs(contact.weights[i]) * stiffness_[at(contact.vertices[i])];
+            weight += std::abs(contact.weights[i]);
+        }
+    }
+    return stiffness / weight;
+}
+
+void ContactForces::add_terms(const Contact& contact) {
+    const std::size_t first = terms_.size();
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Index v = contact.vertices[i];
+        if (v == k_no_index) {
+            continue;
+        }
+        const Carrier* carrier = carriers_.of(v);
+        if (carrier == nullptr) {
+            terms_.push_back({v, contact.weights[i]});
+            continue;
+        }
+        for (std::size_t k = 0; k < 4 && carrier->particles[k] != k_no_index; ++k) {
+            add_term(first, carrier->particles[k], contact.weights[i] * carrier->weights[k]);
+        }
+    }
+    terms_begin_.push_back(terms_.size());
+    const std::size_t count = terms_.size() - first;
+    places_begin_.push_back(places_begin_.back() + count * count);
+}
+
+/// To those of the contact at hand, which begin at `first`.
+void ContactForces::add_term(std::size_t first, Index vertex, double weight) {
+    const auto known = std::find_if(terms_.begin() + static_cast<long>(first), terms_.end(),
+                                    [&](const Term& term) { return term.vertex == vertex; });
+    if (known == terms_.end()) {
+        terms_.push_back({vertex, weight});
+    } else {
+        known->weight += weight;
     }
 }
 
@@ -53,18 +98,17 @@ bool ContactForces::is_internal() const {
     });
 }
 
-Vec3 ContactForces::relative(const Contact& contact, std::span<const Vec3> values) const {
+Vec3 ContactForces::relative(std::size_t contact, std::span<const Vec3> values) const {
     Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < 4; ++i) {
-        if (contact.vertices[i] != k_no_index) {
-            sum += contact.weights[i] * values[at(contact.vertices[i])];
-        }
+    for (const Term& term : terms(contact)) {
+        sum += term.weight * values[at(term.vertex)];
     }
     return sum;
 }
 
-ContactForces::Place ContactForces::place(const Contact& contact, std::span<const Vec3> x) const {
-    const Vec3 moved = relative(contact, x) - relative(contact, start_) + contact.driven;
+ContactForces::Place ContactForces::place(std::size_t c, std::span<const Vec3> x) const {
+    const Contact& contact = contacts_[c];
+    const Vec3 moved = relative(c, x) - relative(c, start_) + contact.driven;
     return {contact.rest - contact.gap - contact.normal.dot(moved),
             contact.slip + across(moved, contact.normal)};
 }
@@ -73,20 +117,17 @@ void ContactForces::fit_limits(std::span<const Vec3> x) {
     parallel_for(springs_.size(), [&](std::size_t c) {
         const Contact& contact = contacts_[c];
         const double friction = contact.slides ? contact.friction : contact.static_friction;
-        springs_[c].hold.limit = friction * springs_[c].push.force(place(contact, x).approach);
+        springs_[c].hold.limit = friction * springs_[c].push.force(place(c, x).approach);
     });
 }
 
 void ContactForces::add_forces(std::span<const Vec3> x, std::span<Vec3> forces) const {
     for (std::size_t c = 0; c < springs_.size(); ++c) {
-        const Contact& contact = contacts_[c];
-        const Place now = place(contact, x);
-        const Vec3 force = springs_[c].push.force(now.approach) * contact.normal +
+        const Place now = place(c, x);
+        const Vec3 force = springs_[c].push.force(now.approach) * contacts_[c].normal +
                            springs_[c].hold.force(now.across);
-        for (std::size_t i = 0; i < 4; ++i) {
-            if (contact.vertices[i] != k_no_index) {
-                forces[at(contact.vertices[i])] += contact.weights[i] * force;
-            }
+        for (const Term& term : terms(c)) {
+            forces[at(term.vertex)] += term.weight * force;
         }
     }
 }
@@ -95,8 +136,8 @@ void ContactForces::trace(std::span<const Vec3> x, std::span<const Vec3> motion)
     at_.resize(springs_.size());
     along_.resize(springs_.size());
     parallel_for(springs_.size(), [&](std::size_t c) {
-        const Vec3 moved = relative(contacts_[c], motion);
-        at_[c] = place(contacts_[c], x);
+        const Vec3 moved = relative(c, motion);
+        at_[c] = place(c, x);
         along_[c] = {-contacts_[c].normal.dot(moved), across(moved, contacts_[c].normal)};
     });
 }
@@ -113,20 +154,18 @@ double ContactForces::work_along(double share) const {
 void ContactForces::find_places(std::span<const Index> row_of_vertex,
                                 std::span<const char> held,
                                 const BlockMatrix& matrix) {
-    places_.resize(contacts_.size());
+    places_.resize(places_begin_.back());
     parallel_for(contacts_.size(), [&](std::size_t c) {
-        const Contact& contact = contacts_[c];
-        const auto moves = [&](std::size_t i) {
-            const Index v = contact.vertices[i];
-            return v != k_no_index && contact.weights[i] != 0.0 && held[at(v)] == 0;
+        const auto moves = [&](const Term& term) {
+            return term.weight != 0.0 && held[at(term.vertex)] == 0;
         };
-        for (std::size_t i = 0; i < 4; ++i) {
-            for (std::size_t j = 0; j < 4; ++j) {
-                places_[c][4 * i + j] =
-                    moves(i) && moves(j)
-                        ? find_block(matrix, row_of_vertex[at(contact.vertices[i])],
-                                     row_of_vertex[at(contact.vertices[j])])
-                        : k_no_index;
+        std::size_t k = places_begin_[c];
+        for (const Term& row : terms(c)) {
+            for (const Term& column : terms(c)) {
+                places_[k++] = moves(row) && moves(column)
+                                   ? find_block(matrix, row_of_vertex[at(row.vertex)],
+                                                row_of_vertex[at(column.vertex)])
+                                   : k_no_index;
             }
         }
     });
@@ -136,10 +175,10 @@ void ContactForces::add_blocks(std::span<const Vec3> x,
                                double scale,
                                double caution,
                                BlockMatrix& matrix) {
-    assert(places_.size() == springs_.size());
+    assert(places_.size() == places_begin_.back());
     blocks_.resize(springs_.size());
     parallel_for(springs_.size(), [&](std::size_t c) {
-        const Place now = place(contacts_[c], x);
+        const Place now = place(c, x);
         const double push = springs_[c].push.tangent(now.approach);
         const Vec3& n = contacts_[c].normal;
         const Mat3 along = n * n.transpose();
@@ -156,10 +195,12 @@ void ContactForces::add_blocks(std::span<const Vec3> x,
         if (blocks_[c](0, 0) == 0.0 && blocks_[c].isZero(0.0)) {
             continue;
         }
-        const auto& weights = contacts_[c].weights;
-        for (std::size_t k = 0; k < 16; ++k) {
-            if (places_[c][k] != k_no_index) {
-                matrix.blocks[at(places_[c][k])] += weights[k / 4] * weights[k % 4] * blocks_[c];
+        std::size_t k = places_begin_[c];
+        for (const Term& row : terms(c)) {
+            for (const Term& column : terms(c)) {
+                if (const Index place = places_[k++]; place != k_no_index) {
+                    matrix.blocks[at(place)] += row.weight * column.weight * blocks_[c];
+                }
             }
         }
     }
@@ -168,15 +209,13 @@ void ContactForces::add_blocks(std::span<const Vec3> x,
 void ContactForces::list_blocks(std::span<const Index> row_of_vertex,
                                 std::vector<BlockEntry>& entries) const {
     entries.clear();
-    for (const Contact& contact : contacts_) {
-        for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t c = 0; c < contacts_.size(); ++c) {
+        const std::span<const Term> all = terms(c);
+        for (std::size_t i = 0; i < all.size(); ++i) {
             for (std::size_t j = 0; j < i; ++j) {
-                const bool both = contact.vertices[i] != k_no_index &&
-                                  contact.vertices[j] != k_no_index &&
-                                  contact.weights[i] * contact.weights[j] != 0.0;
-                if (both) {
-                    entries.push_back({row_of_vertex[at(contact.vertices[i])],
-                                       row_of_vertex[at(contact.vertices[j])]});
+                if (all[i].weight * all[j].weight != 0.0) {
+                    entries.push_back(
+                        {row_of_vertex[at(all[i].vertex)], row_of_vertex[at(all[j].vertex)]});
                 }
             }
         }
@@ -186,11 +225,18 @@ void ContactForces::list_blocks(std::span<const Index> row_of_vertex,
 void ContactForces::report(std::span<const Vec3> x, std::span<Contact> contacts) const {
     assert(contacts.size() == springs_.size());
     for (std::size_t c = 0; c < springs_.size(); ++c) {
-        const Place end = place(contacts[c], x);
+        const Place end = place(c, x);
         const Spring& spring = springs_[c];
         contacts[c].impulse = dt_ * spring.push.force(end.approach);
         contacts[c].drag = dt_ * spring.hold.force(end.across);
-        contacts[c].slip = spring.hold.kept(end.across);
+    }
+    report_slips(x, contacts);
+}
+
+void ContactForces::report_slips(std::span<const Vec3> x, std::span<Contact> contacts) const {
+    for (std::size_t c = 0; c < springs_.size(); ++c) {
+        const Place end = place(c, x);
+        contacts[c].slip = springs_[c].hold.kept(end.across);
         contacts[c].slides = (end.across - contacts[c].slip).norm() > k_sliding_speed * dt_;
     }
 }

@@ -2,21 +2,21 @@
 
 #include "collide/contact.h"
 #include "collide/contact_law.h"
+#include "state/carrier_table.h"
 #include "step/block_matrix.h"
 
 namespace weft {
 
 /// What contacts do inside the implicit solve. Each pushes along its normal and holds across it
 /// (contact_law.h); both follow from where vertices end, so that for a given limit of friction
-/// contact is the slope of a convex potential.
+/// contact is the slope of a convex potential. What a contact does to a carried vertex it does to
+/// the particles that carry it.
 class ContactForces {
 public:
     /// @param stiffness  of the springs, by vertex, N/m: as stiff as the cloth itself, so that the
     ///                   matrix is no worse conditioned
-    explicit ContactForces(std::vector<double> stiffness) : stiffness_(std::move(stiffness)) {}
-
-    /// Other vertices, between substeps.
-    void set_stiffness(std::vector<double> stiffness) { stiffness_ = std::move(stiffness); }
+    explicit ContactForces(std::vector<double> stiffness, CarrierTable carriers = {})
+        : stiffness_(std::move(stiffness)), carriers_(std::move(carriers)) {}
 
     /// Begins a substep, before any contact is added.
     /// @param start #V, positions at the start, m; must stay until the substep's end
@@ -62,6 +62,10 @@ public:
     /// Writes what was carried, when vertices end at x, to the list given to take().
     void report(std::span<const Vec3> x, std::span<Contact> contacts) const;
 
+    /// Of that the slips alone: vertices end at x after all. What a rigid body gave way is taken
+    /// back at the end of a substep and must not count as slip, which would add up.
+    void report_slips(std::span<const Vec3> x, std::span<Contact> contacts) const;
+
 private:
     struct Spring {
         NormalLaw push;
@@ -73,17 +77,30 @@ private:
         Vec3 across;     ///< displacement of its friction spring, m
     };
 
-    Place place(const Contact& contact, std::span<const Vec3> x) const;
-    Vec3 relative(const Contact& contact, std::span<const Vec3> values) const;
+    /// The share that a vertex which is solved for has in a contact.
+    struct Term {
+        Index vertex; ///< of World
+        double weight;
+    };
+
+    std::span<const Term> terms(std::size_t contact) const;
+    void add_terms(const Contact& contact);
+    void add_term(std::size_t first, Index vertex, double weight);
+    double stiffness_of(const Contact& contact) const;
+    Place place(std::size_t contact, std::span<const Vec3> x) const;
+    Vec3 relative(std::size_t contact, std::span<const Vec3> values) const;
 
     std::vector<double> stiffness_;
+    CarrierTable carriers_;
     std::span<const Vec3> start_;
     double dt_ = 0.0;
     std::span<const Contact> contacts_;
     std::vector<Spring> springs_; ///< of each contact
+    std::vector<Term> terms_;     ///< of all contacts, one after the other
+    std::vector<std::size_t> terms_begin_{0}, places_begin_{0};
     int revision_ = 0;
-    std::vector<std::array<Index, 16>> places_; ///< of each contact's blocks; k_no_index: none
-    std::vector<Mat3> blocks_;                  ///< of each contact
+    std::vector<Index> places_;     ///< of each contact's blocks, a row a term; k_no_index: none
+    std::vector<Mat3> blocks_;      ///< of each contact
     std::vector<Place> at_, along_; ///< of each contact: at x, and its change along the motion
 };
 

@@ -64,7 +64,7 @@ double ContactNewton::find_imbalance(const LinearStep& step, const ContactForces
         forces_.assign(step.x.size(), Vec3::Zero());
         contact.add_forces(step.x, forces_);
         parallel_for(forces_.size(), [&](std::size_t v) {
-            if (step.held[v] == 0) {
+            if (step.moves(v)) {
                 imbalance_[at(step.row_of_vertex[v])] += step.beta * forces_[v];
             }
         });
@@ -102,9 +102,12 @@ void ContactNewton::build_coarse_space(const LinearStep& step, const BlockMatrix
         coarse_.set_pattern(*step.matrix);
         is_coarse_cut_ = true;
     }
-    places_.resize(step.x.size());
-    fixed_.resize(step.x.size());
+    places_.resize(step.residual.size());
+    fixed_.resize(step.residual.size());
     parallel_for(step.x.size(), [&](std::size_t v) {
+        if (step.row_of_vertex[v] == k_no_index) {
+            return;
+        }
         places_[at(step.row_of_vertex[v])] = step.x[v];
         fixed_[at(step.row_of_vertex[v])] = step.held[v];
     });
@@ -187,7 +190,8 @@ double ContactNewton::move_along(const LinearStep& step,
     multiply(*step.matrix, direction, product_);
     motion_.resize(step.x.size());
     parallel_for(motion_.size(), [&](std::size_t v) {
-        motion_[v] = step.beta * direction[at(step.row_of_vertex[v])];
+        const Index row = step.row_of_vertex[v];
+        motion_[v] = row == k_no_index ? Vec3(Vec3::Zero()) : Vec3(step.beta * direction[at(row)]);
     });
     const double slope = -dot(step.residual, direction);
     const double curvature = dot(direction, product_);
@@ -198,6 +202,9 @@ double ContactNewton::move_along(const LinearStep& step,
     const double share =
         contact.empty() ? -slope / curvature : best_share(contact, slope, curvature);
     parallel_for(motion_.size(), [&](std::size_t v) {
+        if (step.row_of_vertex[v] == k_no_index) {
+            return;
+        }
         const std::size_t row = at(step.row_of_vertex[v]);
         step.x[v] += share * motion_[v];
         step.v[v] += share * direction[row];

@@ -13,16 +13,18 @@ namespace weft {
 ///     residual + beta f_contact(x) = 0,    residual = r - A c,    x = x_base + beta (v + c)
 ///
 /// and a further change d of velocities takes A d from `residual` and adds beta d to x. Rows of
-/// held vertices are the identity and their residual is zero.
+/// held vertices are the identity and their residual is zero; carried ones have no row, and stay.
 struct LinearStep {
     const BlockMatrix* matrix;
-    std::span<const Index> row_of_vertex;
-    std::span<const char> held; ///< by vertex
-    double beta;                ///< s
-    double tolerance;           ///< of the balance, N s
-    std::span<Vec3> residual;   ///< by row, N s
-    std::span<Vec3> x;          ///< by vertex: where vertices end, m
-    std::span<Vec3> v;          ///< by vertex: with which velocity, m/s
+    std::span<const Index> row_of_vertex; ///< k_no_index: carried
+    std::span<const char> held;           ///< by vertex
+    double beta;                          ///< s
+    double tolerance;                     ///< of the balance, N s
+    std::span<Vec3> residual;             ///< by row, N s
+    std::span<Vec3> x;                    ///< by vertex: where vertices end, m
+    std::span<Vec3> v;                    ///< by vertex: with which velocity, m/s
+
+    bool moves(std::size_t v) const { return held[v] == 0 && row_of_vertex[v] != k_no_index; }
 };
 
 /// What it took.

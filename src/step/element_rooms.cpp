@@ -35,7 +35,7 @@ bool ElementRooms::fit(std::span<const VertexRange> objects, std::span<const Ele
         Object& object = objects_[o];
         object.first = static_cast<std::size_t>(objects[o].first);
         object.count = static_cast<std::size_t>(objects[o].count);
-        assert(object.first == (o == 0 ? 0 : objects_[o - 1].first + objects_[o - 1].count));
+        assert(o == 0 || object.first >= objects_[o - 1].first + objects_[o - 1].count);
         fits = !outgrew(object.count, object.capacity) && fits;
     }
     if (!fits) {

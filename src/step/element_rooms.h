@@ -23,7 +23,7 @@ struct ElementSet {
     }
 };
 
-/// Where the vertices of one object stand in World.
+/// Where the vertices of one object that are solved for stand in World.
 struct VertexRange {
     Index first, count;
 };
@@ -49,12 +49,13 @@ public:
 
     /// Takes up what sets and objects are now; false when it had to move rooms, and all places are
     /// others than before. Rooms are as large as their first content, then with half as much again.
-    /// The number of sets and objects must always be the same; objects stand one after the other.
+    /// The number of sets and objects must always be the same; objects stand one after the other,
+    /// perhaps with vertices between them that are not solved for.
     bool fit(std::span<const VertexRange> objects, std::span<const ElementSet> sets);
 
     std::span<const Set> sets() const { return sets_; }
     std::span<const Object> objects() const { return objects_; }
-    std::size_t vertex_count() const;
+    std::size_t vertex_count() const;                      ///< up to the last object's end
     std::size_t site_count() const { return site_count_; } ///< room for vertices
     std::size_t force_count() const { return force_count_; }
     std::size_t block_count() const { return block_count_; } ///< of the sets that are not constant

@@ -4,6 +4,7 @@
 #include "forces/bend_damping.h"
 #include "forces/edge_elements.h"
 #include "forces/membrane_elements.h"
+#include "forces/rigid_elements.h"
 #include "forces/stvk_triangle_elements.h"
 
 #include <cassert>
@@ -18,6 +19,9 @@ std::vector<VertexRange> vertex_ranges(const World& world) {
     for (const Cloth& cloth : world.cloths) {
         ranges.push_back({cloth.first_vertex, cloth.vertex_count});
     }
+    for_each_body(world, [&](const Body& body) {
+        ranges.push_back({body.first_particle, body.particle_count});
+    });
     return ranges;
 }
 
@@ -189,6 +193,35 @@ private:
     AttachmentElements elements_;
 };
 
+/// They stand behind all cloths, so their elements have the world's own indices.
+class ForceSystem::RigidGroup : public Group {
+public:
+    explicit RigidGroup(const World& world) : elements_(world) {}
+
+    ElementSet set() const override { return {RigidElements::k_nodes, elements_.nodes(), 0}; }
+    std::vector<Index> adapt(const World& world, std::span<const ClothChanges>) override {
+        elements_ = RigidElements(world);
+        std::vector<Index> slots(elements_.size());
+        std::iota(slots.begin(), slots.end(), 0);
+        return slots;
+    }
+    void evaluate(std::span<const Vec3> x,
+                  std::span<const Vec3> v,
+                  SystemScales scales,
+                  std::span<Vec3> forces,
+                  std::span<Mat3> blocks) const override {
+        elements_.evaluate(x, v, scales, forces, blocks);
+    }
+    void forces(std::span<const Vec3> x,
+                std::span<const Vec3> v,
+                std::span<Vec3> forces) const override {
+        elements_.forces(x, v, forces);
+    }
+
+private:
+    RigidElements elements_;
+};
+
 ForceSystem::ForceSystem(const World& world, const SceneParams& params) {
     const auto add = [&](std::size_t cloth, auto elements) {
         groups_.push_back(
@@ -210,6 +243,7 @@ ForceSystem::ForceSystem(const World& world, const SceneParams& params) {
     for (std::size_t s = 0; s < world.solids.size(); ++s) {
         groups_.push_back(std::make_unique<SolidGroup>(world, s));
     }
+    groups_.push_back(std::make_unique<RigidGroup>(world));
     auto attachments = std::make_unique<AttachmentGroup>(world);
     attachments_ = attachments.get();
     groups_.push_back(std::move(attachments));

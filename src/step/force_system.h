@@ -49,6 +49,7 @@ private:
     class SolidGroup;
     class BendingGroup;
     class AttachmentGroup;
+    class RigidGroup;
 
     std::vector<ElementSet> sets() const;
     void resize_arrays();

@@ -2,7 +2,9 @@
 
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "step/rigid_step.h"
 
+#include <cassert>
 #include <cmath>
 
 namespace weft {
@@ -25,14 +27,38 @@ double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
     return parallel_sum(a.size(), [&](std::size_t i) { return a[i].dot(b[i]); });
 }
 
-/// Springs of contacts are as stiff as the membrane: half the sum of its moduli.
+/// The whole weight of a rigid body, at the earth's surface, on a single contact uses up this share
+/// of the contact thickness. Larger: heavy bodies sink in; smaller: the solve takes longer.
+constexpr double k_weight_share = 0.2;
+constexpr double k_earth_gravity = 9.81;
+
+double contact_stiffness_of(const Cloth& cloth) {
+    return cloth.params.model == Model::Corotational
+               ? 0.5 * cloth.params.fabric.stretch_stiffness.sum()
+               : cloth.params.spring.K;
+}
+
+/// Springs of contacts are as stiff as the membrane, half the sum of its moduli, as the edges of
+/// an edge model, or as the weight of a rigid body asks for.
 std::vector<double> contact_stiffness(const World& world) {
     std::vector<double> stiffness(world.vertex_count(), 0.0);
     for (const Cloth& cloth : world.cloths) {
         for (Index i = cloth.first_vertex; i < cloth.first_vertex + cloth.vertex_count; ++i) {
-            stiffness[static_cast<std::size_t>(i)] =
-                0.5 * cloth.params.fabric.stretch_stiffness.sum();
+            stiffness[static_cast<std::size_t>(i)] = contact_stiffness_of(cloth);
         }
+    }
+    const auto set = [&](const Body& body, double value) {
+        std::fill_n(stiffness.begin() + body.first_vertex, body.vertex_count, value);
+    };
+    for (const Solid& solid : world.solids) {
+        set(solid.body, solid.params.spring.K);
+    }
+    double heaviest = 0.0; // perhaps it lies on all others
+    for (const RigidBody& rigid : world.rigids) {
+        heaviest = std::max(heaviest, rigid.params.mass);
+    }
+    for (const RigidBody& rigid : world.rigids) {
+        set(rigid.body, heaviest * k_earth_gravity / (k_weight_share * rigid.body.thickness));
     }
     return stiffness;
 }
@@ -65,16 +91,18 @@ void ImplicitStep::adapt(const World& world, std::span<const ClothChanges> chang
 void ImplicitStep::resize(const World& world) {
     masses_ = world.masses;
     mass_damping_ = mass_damping(world);
-    contact_forces_.set_stiffness(contact_stiffness(world));
+    contact_forces_ = ContactForces(contact_stiffness(world), make_carrier_table(world));
     const BlockMatrix& pattern = forces_.assembler().pattern();
     matrix_.row_begin = pattern.row_begin;
     matrix_.column = pattern.column;
     matrix_.diagonal = pattern.diagonal;
     const std::size_t n = world.vertex_count();
-    for (auto* values :
-         {&x_base_, &v_base_, &guess_, &x_, &v_, &force_, &residual_, &change_, &linear_v_,
-          &trial_x_, &trial_v_, &row_residual_, &row_change_, &row_product_}) {
+    for (auto* values : {&x_base_, &v_base_, &guess_, &x_, &v_, &force_, &residual_, &change_,
+                         &linear_v_, &trial_x_, &trial_v_}) {
         values->resize(n, Vec3::Zero());
+    }
+    for (auto* values : {&row_residual_, &row_change_, &row_product_}) {
+        values->resize(matrix_.rows(), Vec3::Zero());
     }
     diagonal_.resize(n, 0.0);
 }
@@ -127,7 +155,48 @@ void ImplicitStep::finish(const World& world,
         }
     });
     contact_forces_.report(end_positions, contacts);
+    if (!world.rigids.empty()) {
+        bring_back_rigids(world, end_positions, end_velocities);
+        contact_forces_.report_slips(end_positions, contacts);
+    }
+    carry(world, end_positions);
+    carry(world, end_velocities);
     report.converged = report.converged && all_finite(end_positions) && all_finite(end_velocities);
+}
+
+/// Rigid bodies begin where they get when no force acts: their balance is looked for around that.
+void ImplicitStep::let_rigids_fly(const World& world, double dt) {
+    for (const RigidBody& rigid : world.rigids) {
+        const FreeFlight flight = fly_freely(rigid.rest, particles_of(rigid, world.positions),
+                                             particles_of(rigid, world.velocities), dt);
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::size_t i = static_cast<std::size_t>(rigid.body.first_particle) + k;
+            v_base_[i] = flight.velocities[k];
+            x_base_[i] = flight.positions[k] - beta_ * v_base_[i];
+            x_[i] = flight.positions[k];
+            v_[i] = v_base_[i];
+            guess_[i].setZero();
+        }
+    }
+}
+
+void ImplicitStep::bring_back_rigids(const World& world,
+                                     std::span<Vec3> end_positions,
+                                     std::span<Vec3> end_velocities) const {
+    for (const RigidBody& rigid : world.rigids) {
+        const auto first = static_cast<std::size_t>(rigid.body.first_particle);
+        FreeFlight flight;
+        for (std::size_t k = 0; k < 4; ++k) {
+            flight.velocities[k] = v_base_[first + k];
+            flight.positions[k] = x_base_[first + k] + beta_ * v_base_[first + k];
+        }
+        const FreeFlight end = bring_back(rigid.rest, flight, particles_of(rigid, end_positions),
+                                          particles_of(rigid, end_velocities));
+        std::copy(end.positions.begin(), end.positions.end(),
+                  end_positions.begin() + rigid.body.first_particle);
+        std::copy(end.velocities.begin(), end.velocities.end(),
+                  end_velocities.begin() + rigid.body.first_particle);
+    }
 }
 
 void ImplicitStep::start(const World& world, double dt) {
@@ -143,6 +212,8 @@ void ImplicitStep::start(const World& world, double dt) {
         v_[i] = (x - x_base_[i]) / beta_; // linearised where the substep starts
         guess_[i] = v - v_[i];
     });
+    assert(world.rigids.empty() || beta_ == dt);
+    let_rigids_fly(world, dt);
     floor_ = params_.gravity.norm() * dt *
              std::sqrt(parallel_sum(masses_.size(),
                                     [&](std::size_t i) { return masses_[i] * masses_[i]; }));
@@ -248,7 +319,7 @@ void ImplicitStep::find_residual() {
 /// norm of the right-hand side: of what is to be balanced when only held vertices have moved.
 double ImplicitStep::eliminate_held(const HeldVertices& held) {
     const auto rows = forces_.assembler().row_of_vertex();
-    std::vector<Vec3>& right = trial_v_; // by row
+    std::vector<Vec3>& right = row_right_;
     right = row_residual_;
     parallel_for(row_residual_.size(), [&](std::size_t r) { row_residual_[r] -= row_product_[r]; });
     for (std::size_t v = 0; v < held.flags.size(); ++v) {
@@ -309,8 +380,11 @@ void ImplicitStep::move_to(std::span<const Vec3> velocities, std::span<Vec3> pos
 
 void ImplicitStep::to_rows(std::span<const Vec3> by_vertex, std::span<Vec3> by_row) const {
     const auto rows = forces_.assembler().row_of_vertex();
-    parallel_for(by_vertex.size(),
-                 [&](std::size_t v) { by_row[static_cast<std::size_t>(rows[v])] = by_vertex[v]; });
+    parallel_for(by_vertex.size(), [&](std::size_t v) {
+        if (rows[v] != k_no_index) {
+            by_row[static_cast<std::size_t>(rows[v])] = by_vertex[v];
+        }
+    });
 }
 
 } // namespace weft

@@ -34,7 +34,11 @@ struct ImplicitReport {
 ///
 /// by Newton's method from x(v+) = x, with A = M + beta D + beta^2 K. One iteration of implicit
 /// Euler is the linearised step of Baraff and Witkin 1998 and of Bender and Deul 2013. Held
-/// vertices are eliminated (rows and columns of A become the identity).
+/// vertices are eliminated (rows and columns of A become the identity); carried ones follow their
+/// particles.
+///
+/// Of rigid bodies, which need implicit Euler, v_base and x_base are those of their free motion
+/// (rigid_step.h), and what comes out is brought back to a rigid motion.
 class ImplicitStep {
 public:
     ImplicitStep(const World& world, const SceneParams& params);
@@ -65,6 +69,10 @@ public:
 private:
     void resize(const World& world);
     void start(const World& world, double dt);
+    void let_rigids_fly(const World& world, double dt);
+    void bring_back_rigids(const World& world,
+                           std::span<Vec3> end_positions,
+                           std::span<Vec3> end_velocities) const;
     void finish(const World& world,
                 const HeldVertices& held,
                 std::vector<Vec3>& end_positions,
@@ -98,7 +106,7 @@ private:
     std::vector<Vec3> x_base_, v_base_, guess_;
     std::vector<Vec3> x_, v_, force_, residual_, change_; ///< of the current iterate, by vertex
     std::vector<Vec3> linear_v_, trial_x_, trial_v_;
-    std::vector<Vec3> row_residual_, row_change_, row_product_;
+    std::vector<Vec3> row_residual_, row_change_, row_product_, row_right_;
     std::vector<double> diagonal_;
 };
 

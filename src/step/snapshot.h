@@ -1,7 +1,7 @@
 #pragma once
 
 #include "state/number_bodies.h"
-#include "state/world.h"
+#include "state/number_bodies.h"
 
 namespace weft {
 

@@ -45,7 +45,7 @@ std::string friction(const std::string& between, double coefficient = 0.5) {
 }
 
 const std::vector<Broken> k_broken{
-    {"nothing", "", "a.toml:1:1: needs a [[cloth]] or [[solid]]: nothing would move"},
+    {"nothing", "", "a.toml:1:1: needs a [[cloth]], [[solid]] or [[rigid]]: nothing would move"},
     {"unknown table", "[secne]\nframes = 3\n" + cloth(""),
      "a.toml:1:2: secne: unknown key; the nearest is scene"},
     {"unknown key", "[scene]\nframe = 3\n" + cloth(""),
@@ -101,7 +101,9 @@ const std::vector<Broken> k_broken{
      "a.toml:4:1: cloth[0].pin[0]: must have exactly one of vertices, box, corners = true and "
      "loop"},
     {"pin to nobody", k_ball + cloth("[[cloth.pin]]\ncorners = true\nto = \"bal\"\n"),
-     "a.toml:9:6: cloth[0].pin[0].to = \"bal\": must be the name of an obstacle; the nearest is "
+     "a.toml:9:6: cloth[0].pin[0].to = \"bal\": must be the name of an obstacle or rigid body; the "
+     "nearest "
+     "is "
      "ball"},
     {"pin back in time",
      cloth("[[cloth.pin]]\ncorners = true\n"
@@ -197,7 +199,7 @@ TEST(BrokenScenes, AreRefusedInOneLineThatNamesPlaceValueAndWhatIsAllowed) {
     }
 }
 
-const std::vector<Broken> k_not_yet{
+const std::vector<Broken> k_out_of_place{
     {"springs without a model that has them", cloth("[cloth.spring]\nK = 1000.0\n"),
      "a.toml:4:1: cloth[0].spring: is of edge models: needs model = \"cubic\", \"linear\", "
      "\"stvk_edge\" or \"stvk_triangle\""},
@@ -221,12 +223,20 @@ const std::vector<Broken> k_not_yet{
      "a.toml:5:15: cloth[0].adapt.compression = 1: must be 0 to below 1"},
     {"curvature", cloth("[cloth.adapt]\ncurvature = -0.1\n"),
      "a.toml:5:13: cloth[0].adapt.curvature = -0.1: must be >= 0"},
-    {"rigid bodies", "[[rigid]]\nname = \"ball\"\n" + cloth(""),
-     "a.toml:1:1: rigid: not there yet"},
+    {"rigid body without a shape", "[[rigid]]\nname = \"ball\"\n",
+     "a.toml:1:1: rigid[0]: needs mesh or shape"},
+    {"rigid body with two shapes", "[[rigid]]\nname = \"a\"\nshape = \"box\"\nmesh = \"a.obj\"\n",
+     "a.toml:1:1: rigid[0]: has mesh and shape: must be one of them"},
+    {"rigid plane", "[[rigid]]\nname = \"a\"\nshape = \"plane\"\n",
+     "a.toml:3:9: rigid[0].shape = \"plane\": must be \"sphere\" or \"box\""},
+    {"rigid body without mass", "[[rigid]]\nname = \"a\"\nshape = \"box\"\nmass = 0\n",
+     "a.toml:4:8: rigid[0].mass = 0: must be > 0 kg"},
+    {"radius of a rigid box", "[[rigid]]\nname = \"a\"\nshape = \"box\"\nradius = 1\n",
+     "a.toml:4:10: rigid[0].radius = 1: needs shape = \"sphere\""},
 };
 
-TEST(BrokenScenes, SayWhatTheFormatHasAndThisProgramNotYet) {
-    for (const Broken& broken : k_not_yet) {
+TEST(BrokenScenes, AreRefusedWhereKeysDoNotFitTheirObject) {
+    for (const Broken& broken : k_out_of_place) {
         EXPECT_EQ(message_of(broken.text), broken.message) << broken.what;
     }
 }

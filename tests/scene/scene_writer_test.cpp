@@ -16,6 +16,7 @@ void expect_equal(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.contact, b.contact);
     EXPECT_EQ(a.cloths, b.cloths);
     EXPECT_EQ(a.solids, b.solids);
+    EXPECT_EQ(a.rigids, b.rigids);
     EXPECT_EQ(a.obstacles, b.obstacles);
     EXPECT_EQ(a.attachments, b.attachments);
     EXPECT_EQ(a.render, b.render);
