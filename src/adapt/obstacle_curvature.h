@@ -25,8 +25,8 @@ public:
     /// and as it goes in k_look_ahead.
     void find(const World& world, const Cloth& cloth, double time, std::vector<double>& curvature);
 
-    /// Rad: more than a smooth body's mesh turns at an edge, less than any corner of a table.
-    static constexpr double k_ridge = 0.6;
+    /// Rad: more than the mesh of a body turns at nearly all its edges, less than a table does.
+    static constexpr double k_ridge = 1.0;
 
     /// Time for which the way ahead is looked at, s: a frame, in which refinement gains the levels
     /// that it needs.
