@@ -19,6 +19,28 @@ def ticks(low, high, is_log):
     return [step * i for i in range(first, math.floor(high / step + 1e-9) + 1)]
 
 
+def cut(line, x0, x1, y0, y1):
+    """The parts of a line within a rectangle, as lines."""
+    parts = [[]]
+    for (ax, ay), (bx, by) in zip(line, line[1:]):
+        low, high = 0.0, 1.0
+        for a, d, near, far in ((ax, bx - ax, x0, x1), (ay, by - ay, y0, y1)):
+            if d == 0.0:
+                if not near <= a <= far:
+                    high = -1.0
+                continue
+            enter, leave = sorted(((near - a) / d, (far - a) / d))
+            low, high = max(low, enter), min(high, leave)
+        if low > high:
+            parts.append([])
+            continue
+        start, end = ((ax + t * (bx - ax), ay + t * (by - ay)) for t in (low, high))
+        if not parts[-1] or parts[-1][-1] != start:
+            parts.append([start])
+        parts[-1].append(end)
+    return [part for part in parts if len(part) > 1]
+
+
 def line_plot(title, x_name, y_name, series, x_range=None, y_range=None, log_y=False, points=False):
     """series: {name: [(x, y), ...]}; what lies outside the ranges is cut off."""
     xs = [x for line in series.values() for x, _ in line]
@@ -27,7 +49,7 @@ def line_plot(title, x_name, y_name, series, x_range=None, y_range=None, log_y=F
     y0, y1 = y_range or (min(ys), max(ys))
     if y0 == y1:
         y0, y1 = y0 - 1.0, y1 + 1.0
-    scale = (lambda y: math.log10(max(y, y0))) if log_y else (lambda y: y)
+    scale = (lambda y: math.log10(max(y, 1e-3 * y0))) if log_y else (lambda y: y)
 
     def place(x, y):
         across = (x - x0) / (x1 - x0) * (width - left - right)
@@ -35,10 +57,8 @@ def line_plot(title, x_name, y_name, series, x_range=None, y_range=None, log_y=F
         return left + across, height - bottom - up
 
     inner = f'x="{left}" y="{top}" width="{width - left - right}" height="{height - top - bottom}"'
-    key = f"c{abs(hash((title, x_range, y_range))) % 10**9}"
     text = [f'<svg viewBox="0 0 {width} {height}" width="{width}" xmlns="http://www.w3.org/2000/svg" '
             'font-family="sans-serif" font-size="12">',
-            f'<clipPath id="{key}"><rect {inner}/></clipPath>',
             f'<text x="{left}" y="18" font-weight="bold">{html.escape(title)}</text>']
     for x in ticks(x0, x1, False):
         px, _ = place(x, y1)
@@ -50,9 +70,9 @@ def line_plot(title, x_name, y_name, series, x_range=None, y_range=None, log_y=F
                     f'<text x="{left - 6}" y="{py + 4:.1f}" text-anchor="end">{y:.4g}</text>')
     for i, (name, line) in enumerate(series.items()):
         colour = colours[i % len(colours)]
-        path = " ".join("%.1f,%.1f" % place(x, y) for x, y in line)
-        text.append(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="1.6" '
-                    f'clip-path="url(#{key})"/>')
+        for part in cut([place(x, y) for x, y in line], left, width - right, top, height - bottom):
+            path = " ".join("%.1f,%.1f" % point for point in part)
+            text.append(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="1.6"/>')
         if points:
             text += ['<circle cx="%.1f" cy="%.1f" r="2.6" fill="%s"/>' % (*place(x, y), colour) for x, y in line]
         row = top + 10 + 17 * i
