@@ -82,17 +82,14 @@ void EdgeElements::evaluate(std::span<const Vec3> x,
                             SystemScales scales,
                             std::span<Vec3> element_forces,
                             std::span<Mat3> element_blocks) const {
-    assert(element_forces.size() == 2 * size() && element_blocks.size() == 3 * size());
+    assert(element_forces.size() == 2 * size() && element_blocks.size() == size());
     parallel_for(size(), [&](std::size_t e) {
         const EdgeLaw& edge_law = law(e);
         const EdgeKernel kernel(edge_law, stiffness_[e], rest_lengths_[e], difference(e, x));
         const Vec3 force = kernel.force(edge_law, difference(e, v));
         element_forces[2 * e] = force;
         element_forces[2 * e + 1] = -force;
-        const Mat3 block = kernel.block(edge_law, stiffness_[e], rest_lengths_[e], scales);
-        element_blocks[3 * e] = block;
-        element_blocks[3 * e + 1] = -block;
-        element_blocks[3 * e + 2] = block;
+        element_blocks[e] = kernel.block(edge_law, stiffness_[e], rest_lengths_[e], scales);
     });
 }
 

@@ -16,6 +16,7 @@ namespace weft {
 class EdgeElements {
 public:
     static constexpr int k_nodes = 2;
+    static constexpr bool k_is_difference = true;
 
     EdgeElements(const EdgeNetwork& network, Model model, const SpringParams& params);
 

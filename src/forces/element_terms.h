@@ -16,7 +16,9 @@
 ///     double energy(x) const                          J
 ///     void forces(x, v, element_forces) const         k_nodes an element, N
 ///     void evaluate(x, v, scales, element_forces, element_blocks) const
-///                                                     and block_count(k_nodes) blocks an element
+///                                                     and block_count(k_nodes) blocks an element;
+///                                                     with k_is_difference one: that of each of
+///                                                     two nodes, its negative between them
 ///     std::vector<Index> update(cloth, changes)       to the set that the cloth as it is now would
 ///                                                     give; slots of elements that differ,
 ///                                                     ascending, beyond the new size left out

@@ -28,7 +28,7 @@ Assembler::Assembler(std::span<const VertexRange> objects, std::span<const Eleme
 
 void Assembler::build(std::span<const ElementSet> sets) {
     assert(std::max(rooms_.block_count(), rooms_.constant_count()) <
-           std::numeric_limits<std::uint32_t>::max() / 2);
+           std::numeric_limits<std::uint32_t>::max() / SourceLists::k_manners);
     sources_.build(rooms_, sets);
     order_rows();
     sources_.build_pairs(rooms_, sets, site_of_row_);
@@ -151,11 +151,16 @@ void Assembler::assemble(std::span<const Mat3> element_blocks,
         }
         Mat3 sum = (constant_scale * sources_.constant(pair)) * Mat3::Identity();
         for (const std::uint32_t source : sources_.blocks(pair)) {
-            const Mat3& block = element_blocks[source / 2];
-            if (source % 2 == 0) {
-                sum += block;
-            } else {
+            const Mat3& block = element_blocks[source / SourceLists::k_manners];
+            switch (source % SourceLists::k_manners) {
+            case SourceLists::k_transposed:
                 sum += block.transpose();
+                break;
+            case SourceLists::k_negative:
+                sum -= block;
+                break;
+            default:
+                sum += block;
             }
         }
         matrix.blocks[at(place)] = sum;

@@ -28,6 +28,7 @@ bool ElementRooms::fit(std::span<const VertexRange> objects, std::span<const Ele
         set.nodes_per_element = static_cast<std::size_t>(sets[s].nodes_per_element);
         set.blocks_per_element = sets[s].blocks_per_element();
         set.is_constant = sets[s].is_constant;
+        set.is_difference = sets[s].is_difference;
         set.count = sets[s].count();
         fits = !outgrew(set.count, set.capacity) && fits;
     }

@@ -16,10 +16,14 @@ struct ElementSet {
     Index first_vertex;       ///< added to each node
     bool is_constant = false; ///< blocks are scalars times the identity, these:
     std::span<const double> constants{}; ///< upper triangle of each element, N/m
+    bool is_difference = false; ///< of two nodes and one symmetric block, which is that of each
+                                ///< with itself, and its negative that between them
 
     std::size_t count() const { return nodes.size() / static_cast<std::size_t>(nodes_per_element); }
     std::size_t blocks_per_element() const {
-        return static_cast<std::size_t>(nodes_per_element * (nodes_per_element + 1) / 2);
+        return is_difference
+                   ? 1
+                   : static_cast<std::size_t>(nodes_per_element * (nodes_per_element + 1) / 2);
     }
 };
 
@@ -39,7 +43,7 @@ public:
         std::size_t count, capacity; ///< elements
         std::size_t force_begin;     ///< in the array of element forces, one a node
         std::size_t block_begin;     ///< in that of element blocks; constant sets have their own
-        bool is_constant;
+        bool is_constant, is_difference;
     };
     struct Object {
         std::size_t first, count; ///< vertices of World

@@ -54,41 +54,47 @@ public:
     }
 
     ElementSet set() const override {
-        return {Elements::k_nodes, elements_.nodes(), static_cast<Index>(first_)};
+        return {.nodes_per_element = Elements::k_nodes,
+                .nodes = elements_.nodes(),
+                .first_vertex = static_cast<Index>(first_),
+                .is_difference = requires {Elements::k_is_difference;
     }
-    std::vector<Index> adapt(const World& world, std::span<const ClothChanges> changes) override {
-        find_vertices(world.cloths[cloth_]);
-        return elements_.update(world.cloths[cloth_], changes[cloth_]);
+};
+} // namespace weft
+std::vector<Index> adapt(const World& world, std::span<const ClothChanges> changes) override {
+    find_vertices(world.cloths[cloth_]);
+    return elements_.update(world.cloths[cloth_], changes[cloth_]);
+}
+void start_substep(std::span<const Vec3> v) override {
+    if constexpr (requires { elements_.linearise_at(v); }) {
+        elements_.linearise_at(v.subspan(first_, count_));
     }
-    void start_substep(std::span<const Vec3> v) override {
-        if constexpr (requires { elements_.linearise_at(v); }) {
-            elements_.linearise_at(v.subspan(first_, count_));
-        }
-    }
-    void evaluate(std::span<const Vec3> x,
-                  std::span<const Vec3> v,
-                  SystemScales scales,
-                  std::span<Vec3> forces,
-                  std::span<Mat3> blocks) const override {
-        elements_.evaluate(x.subspan(first_, count_), v.subspan(first_, count_), scales, forces,
-                           blocks);
-    }
-    void forces(std::span<const Vec3> x,
-                std::span<const Vec3> v,
-                std::span<Vec3> forces) const override {
-        elements_.forces(x.subspan(first_, count_), v.subspan(first_, count_), forces);
-    }
+}
+void evaluate(std::span<const Vec3> x,
+              std::span<const Vec3> v,
+              SystemScales scales,
+              std::span<Vec3> forces,
+              std::span<Mat3> blocks) const override {
+    elements_.evaluate(x.subspan(first_, count_), v.subspan(first_, count_), scales, forces,
+                       blocks);
+}
+void forces(std::span<const Vec3> x,
+            std::span<const Vec3> v,
+            std::span<Vec3> forces) const override {
+    elements_.forces(x.subspan(first_, count_), v.subspan(first_, count_), forces);
+}
 
 private:
-    void find_vertices(const Cloth& cloth) {
-        first_ = static_cast<std::size_t>(cloth.first_vertex);
-        count_ = static_cast<std::size_t>(cloth.vertex_count);
-    }
+void find_vertices(const Cloth& cloth) {
+    first_ = static_cast<std::size_t>(cloth.first_vertex);
+    count_ = static_cast<std::size_t>(cloth.vertex_count);
+}
 
-    std::size_t cloth_;
-    Elements elements_;
-    std::size_t first_ = 0, count_ = 0;
-};
+std::size_t cloth_;
+Elements elements_;
+std::size_t first_ = 0, count_ = 0;
+}
+;
 
 /// The edges of a solid, between its particles.
 class ForceSystem::SolidGroup : public Group {
@@ -101,7 +107,10 @@ public:
     }
 
     ElementSet set() const override {
-        return {EdgeElements::k_nodes, elements_.nodes(), static_cast<Index>(first_)};
+        return {.nodes_per_element = EdgeElements::k_nodes,
+                .nodes = elements_.nodes(),
+                .first_vertex = static_cast<Index>(first_),
+                .is_difference = EdgeElements::k_is_difference};
     }
     std::vector<Index> adapt(const World& world, std::span<const ClothChanges>) override {
         find_particles(world);

@@ -173,13 +173,18 @@ void SourceLists::list_row(const ElementRooms& rooms,
                 }
                 const std::size_t low = std::min(k, j);
                 const std::size_t block =
-                    first + low * nodes.size() - low * (low + 1) / 2 + std::max(k, j);
+                    set.is_difference
+                        ? first
+                        : first + low * nodes.size() - low * (low + 1) / 2 + std::max(k, j);
+                const std::uint32_t manner = set.is_difference ? (k == j ? k_as_it_is : k_negative)
+                                             : k > j           ? k_transposed
+                                                               : k_as_it_is;
                 const std::uint32_t neighbour = place_[at(nodes[j])];
                 if (set.is_constant) {
                     constant_[at(row[neighbour].pair)] += sets[s].constants[block];
                 } else {
-                    row_blocks_[neighbour].push_back(static_cast<std::uint32_t>(
-                        2 * (set.block_begin + block) + (k > j ? 1 : 0)));
+                    row_blocks_[neighbour].push_back(
+                        k_manners * static_cast<std::uint32_t>(set.block_begin + block) + manner);
                 }
             }
         });

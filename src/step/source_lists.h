@@ -48,7 +48,11 @@ public:
 
     std::size_t pair_count() const { return blocks_.size(); } ///< numbers given, used or not
 
-    /// 2 * place in the array of element blocks + (1: transposed).
+    /// How a block sums into a pair, beside 4 * its place in the array of element blocks.
+    enum Manner : std::uint32_t { k_as_it_is = 0, k_transposed = 1, k_negative = 2 };
+    static constexpr std::uint32_t k_manners = 4;
+
+    /// k_manners * place + manner.
     std::span<const std::uint32_t> blocks(std::size_t pair) const { return blocks_[pair]; }
 
     /// Sum of the constant blocks, N/m.

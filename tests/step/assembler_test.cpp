@@ -57,6 +57,30 @@ TEST(Assembler, SumsTheBlocksOfAllElementsAtTheirVertices) {
     EXPECT_EQ(block_at(matrix, rows, 0, 3), Mat3(Mat3::Zero()));
 }
 
+TEST(Assembler, SumsTheOneBlockOfADifferenceWithItsSigns) {
+    const std::vector<VertexRange> objects{{0, 4}};
+    const std::vector<Index> ends{0, 1, 2, 1, 1, 3};
+    const std::vector<ElementSet> sets{
+        {.nodes_per_element = 2, .nodes = ends, .first_vertex = 0, .is_difference = true}};
+    const Assembler assembler(objects, sets);
+    std::vector<Mat3> blocks = random_blocks(assembler.block_count(), 2);
+    for (Mat3& block : blocks) {
+        block = Mat3(block + block.transpose());
+    }
+    const std::vector<double> nothing(4, 0.0);
+    BlockMatrix matrix = assembler.pattern();
+
+    assembler.assemble(blocks, 1.0, nothing, matrix);
+
+    ASSERT_EQ(blocks.size(), 3U);
+    const auto rows = assembler.row_of_vertex();
+    EXPECT_EQ(block_at(matrix, rows, 0, 0), blocks[0]);
+    EXPECT_EQ(block_at(matrix, rows, 0, 1), Mat3(-blocks[0]));
+    EXPECT_EQ(block_at(matrix, rows, 1, 2), Mat3(-blocks[1]));
+    EXPECT_EQ(block_at(matrix, rows, 1, 1), Mat3(blocks[0] + blocks[1] + blocks[2]));
+    EXPECT_EQ(block_at(matrix, rows, 0, 3), Mat3(Mat3::Zero()));
+}
+
 TEST(Assembler, VertexAtTwoNodesOfAnElementGetsBothBlocks) {
     // All three neighbours of a triangle that was split in three have the same apex in pairs.
     ChangingSheet sheet({.points = {{0.0, 0.0}, {1.0, 0.0}, {0.3, 0.9}, {0.4, 0.3}},
