@@ -1,7 +1,6 @@
 #pragma once
 
 #include "state/number_bodies.h"
-#include "state/number_bodies.h"
 
 namespace weft {
 
