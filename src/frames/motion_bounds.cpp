@@ -1,6 +1,7 @@
 #include "frames/motion_bounds.h"
 
 #include "forces/air.h"
+#include "frames/area_density.h"
 #include "frames/body_outlook.h"
 #include "frames/held_vertices.h"
 #include "frames/landing.h"
@@ -50,13 +51,14 @@ double Outlook::distance(double seconds) const {
                : fastest * fastest / gravity * (x + std::log1p(std::exp(-2.0 * x)) - std::log(2.0));
 }
 
-Outlook look_out(const Scene& scene, const ClothParams& cloth, double begin) {
+Outlook
+look_out(const Scene& scene, const ClothParams& cloth, const FrameObject& object, double begin) {
     Outlook out{.begin = begin, .end = (scene.scene.frames - 1) / scene.scene.fps};
     out.gravity = scene.scene.gravity.norm();
     if (out.gravity > 0.0) {
         out.down = scene.scene.gravity / out.gravity;
     }
-    const double density = cloth.fabric.area_density;
+    const double density = area_density(cloth, object);
     const double drag = 0.5 * scene.scene.air_density * k_plate_drag;
     if (drag > 0.0) {
         out.fastest = std::sqrt(density * out.gravity / drag);
@@ -150,7 +152,7 @@ private:
 
 ClothOutlook::ClothOutlook(const Frame& first, std::size_t number, const Scene& scene)
     : scene_(scene), params_(scene.cloths[number]), objects_(first.objects),
-      object_(first.objects[number]), outlook_(look_out(scene, params_, first.time)),
+      object_(first.objects[number]), outlook_(look_out(scene, params_, object_, first.time)),
       holder_(held_vertices(object_, params_)) {
     for (const Vec3f& x : object_.positions) {
         positions_.emplace_back(x.cast<double>());
