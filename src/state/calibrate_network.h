@@ -9,9 +9,10 @@ namespace weft {
 ///
 /// A cell, a triangle or a quad with both its diagonals, strained as a whole, resists like plane
 /// stress with C = sum of K_e L_e^2 m_e m_e^T / A, m = (n1^2, n2^2, n1 n2) along the edge; its K,
-/// none below a thousandth of the mean, are those with C nearest to the fabric's. An edge of two
-/// cells has the sum of both. (Where edges alone can be exact, so is this; of isotropic triangles
-/// with poisson 1/3 it is K_e = 4 L_e^2 sum of k_ii of Kikuuwe et al. 2009 when the triangles are
+/// none below a thousandth of the mean, are those with C nearest to the fabric's, where couplings
+/// of stretch and shear count a tenth, as they cancel between neighbours. An edge of two cells has
+/// the sum of both. (Where edges alone can be exact, so is this; of isotropic triangles with
+/// poisson 1/3 it is K_e = 4 L_e^2 sum of k_ii of Kikuuwe et al. 2009 when the triangles are
 /// equilateral.) Networks of edges have c12 = c33: what the fabric has else is not met.
 ///
 /// Bending edges stay as they are.

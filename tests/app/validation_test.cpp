@@ -147,9 +147,10 @@ TEST(Validation, HangingStrip) {
     expect_within(validate_hanging_strip());
 }
 
-TEST(Validation, ColumnsOfEdges) {
+TEST(Validation, Edges) {
     expect_within(validate_loaded_chain());
     expect_within(validate_hanging_chain());
+    expect_within(validate_calibrated_edges());
 }
 
 TEST(Validation, Catenary) {

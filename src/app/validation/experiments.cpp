@@ -46,6 +46,8 @@ constexpr std::array k_experiments{
                validate_loaded_chain},
     Experiment{"edges.hanging-chain", "columns of edges under their own weight, edge by edge",
                validate_hanging_chain},
+    Experiment{"edges.calibrated", "edges whose stiffness comes from the moduli of a fabric",
+               validate_calibrated_edges},
     Experiment{.name = "friction.incline",
                .subject = "a sheet on an incline sticks and slides as Coulomb says",
                .run_repeats = validate_incline},

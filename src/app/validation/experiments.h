@@ -54,6 +54,7 @@ ValidationRows validate_order_in_space();
 ValidationRows validate_adaptive_periods();
 ValidationRows validate_loaded_chain();
 ValidationRows validate_hanging_chain();
+ValidationRows validate_calibrated_edges();
 ValidationRows validate_incline(bool thorough);
 ValidationRows validate_two_sheets(bool thorough);
 ValidationRows validate_capstan(bool thorough);
