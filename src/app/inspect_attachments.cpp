@@ -43,7 +43,9 @@ void describe(const World& world, std::size_t number, SummaryLines& sheet) {
 std::string describe_attachments(const World& world, const std::vector<std::string>& warnings) {
     SummaryLines sheet;
     for (std::size_t i = 0; i < world.attachments.size(); ++i) {
-        describe(world, i, sheet);
+        if (!world.attachments[i].is_joint) {
+            describe(world, i, sheet);
+        }
     }
     for (const std::string& line : warnings) {
         if (line.starts_with("attach")) {

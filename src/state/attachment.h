@@ -20,6 +20,7 @@ struct Attachment {
     double stiffness = 1000.0;    ///< of a pair while it closes, N/m
     std::array<Index, 2> cloth{}; ///< of World::cloths
     std::array<double, 2> length{0.0, 0.0}; ///< of the sides of a seam at rest, m
+    bool is_joint = false; ///< a pin that a rigid body leads, not asked for by `[[attach]]`
 };
 
 /// Two points of cloth that belong together. Their gap is the sum of weight * position: those of

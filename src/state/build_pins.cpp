@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "state/join_to_rigid.h"
 
 #include <algorithm>
 #include <cassert>
@@ -86,7 +87,7 @@ Index find_obstacle(const World& world, const std::string& name, const std::stri
             return static_cast<Index>(i);
         }
     }
-    fail_input("{}.to = \"{}\": no obstacle has this name", place, name);
+    fail_input("{}.to = \"{}\": no obstacle or rigid body has this name", place, name);
 }
 
 void select_in_box(const PinParams& pin,
@@ -108,12 +109,33 @@ std::string pin_place(const Cloth& cloth, std::size_t pin_number) {
     return fmt::format("cloth '{}': pin[{}]", cloth.name, pin_number);
 }
 
-/// The pins of one group; `selected` counts from World vertex `first`.
+double stiffness_of(const ClothParams& params) {
+    return params.model == Model::Corotational ? 0.5 * params.fabric.stretch_stiffness.sum()
+                                               : params.spring.K;
+}
+
+/// The pins of one group, or its joints; `selected` counts from World vertex `first`.
+/// @param stiffness of what they hold, N/m
 void add_pins(World& world,
               const std::vector<Index>& selected,
               Index first,
               const PinParams& params,
+              double stiffness,
               const std::string& place) {
+    for (std::size_t r = 0; r < world.rigids.size(); ++r) {
+        if (world.rigids[r].body.name == params.to) {
+            std::vector<Index> vertices = selected;
+            for (Index& v : vertices) {
+                v += first;
+            }
+            if (!params.move.empty()) {
+                fail_input("{}.move: must be left out: '{}' is moved by what it is joined to",
+                           place, params.to);
+            }
+            join_to_rigid(world, {place, vertices, static_cast<Index>(r), stiffness, params.until});
+            return;
+        }
+    }
     const auto group = static_cast<Index>(world.pin_groups.size());
     world.pin_groups.push_back({params.move, params.until});
     const std::size_t first_pin = world.pins.size();
@@ -191,14 +213,14 @@ void build_pins(World& world) {
         for (std::size_t number = 0; number < cloth.params.pins.size(); ++number) {
             const PinParams& pin = cloth.params.pins[number];
             add_pins(world, select_pinned(cloth, pin, number, world.positions_of(cloth)),
-                     cloth.first_vertex, pin, pin_place(cloth, number));
+                     cloth.first_vertex, pin, stiffness_of(cloth.params), pin_place(cloth, number));
         }
     }
     for (const Solid& solid : world.solids) {
         for (std::size_t number = 0; number < solid.params.pins.size(); ++number) {
             const PinParams& pin = solid.params.pins[number];
             add_pins(world, select_pinned(world, solid, pin, number), solid.body.first_particle,
-                     pin, pin_place(solid, number));
+                     pin, solid.params.spring.K, pin_place(solid, number));
         }
     }
     const auto by_vertex = [](const Pin& a, const Pin& b) { return a.vertex < b.vertex; };
