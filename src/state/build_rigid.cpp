@@ -15,9 +15,14 @@ namespace {
 
 /// A body of 1 kg is held together by springs of so many N/m. In a substep of 5 ms they are 10^4
 /// times as stiff as its inertia: under a load of a thousand times its weight it gives way by
-/// micrometres, which the end of the substep takes back. Smaller: light bodies under heavy ones
-/// seem soft; larger: single precision spoils the preconditioner.
+/// micrometres, which the end of the substep takes back. Smaller: bodies seem soft; larger: single
+/// precision spoils the preconditioner.
 constexpr double k_stiffness_per_mass = 1e8;
+
+/// Bodies are at least as stiff as one of this share of the heaviest's mass, which may lie on them.
+/// Smaller: a light body under a heavy one gives way again and again and never rests; larger: see
+/// above.
+constexpr double k_least_share = 0.1;
 
 std::string place_of(const Vec3& x) {
     return fmt::format("({:.4g}, {:.4g}, {:.4g}) m", x.x(), x.y(), x.z());
@@ -76,6 +81,17 @@ void turn_outwards(TriangleMesh& mesh) {
     }
 }
 
+void stiffen(World& world) {
+    double heaviest = 0.0;
+    for (const RigidBody& rigid : world.rigids) {
+        heaviest = std::max(heaviest, rigid.params.mass);
+    }
+    for (RigidBody& rigid : world.rigids) {
+        rigid.stiffness =
+            k_stiffness_per_mass * std::max(rigid.params.mass, k_least_share * heaviest);
+    }
+}
+
 void append(World& world, const Vec3& position, const Vec3& velocity, double mass) {
     world.positions.push_back(position);
     world.velocities.push_back(velocity);
@@ -99,7 +115,6 @@ void append_rigid(World& world,
     RigidBody rigid;
     rigid.params = params;
     rigid.rest = particles_with(moments.second);
-    rigid.stiffness = k_stiffness_per_mass * params.mass;
     Body& body = rigid.body;
     body.name = params.name;
     body.first_vertex = static_cast<Index>(world.vertex_count());
@@ -124,6 +139,7 @@ void append_rigid(World& world,
     carry(body, world.positions);
     carry(body, world.velocities);
     world.rigids.push_back(std::move(rigid));
+    stiffen(world);
 }
 
 } // namespace weft

@@ -14,11 +14,11 @@ void join_to_rigid(World& world, const Joint& joint) {
         const Vec3 arm = pose.rotation.transpose() *
                          (world.positions[static_cast<std::size_t>(v)] - pose.translation);
         const auto weights = carrying_weights(rigid.rest, arm);
-        AttachedPair pair{.vertices = {v, k_no_index, k_no_index, k_no_index, k_no_index,
-                                       k_no_index},
-                          .weights = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0},
-                          .attachment = static_cast<Index>(world.attachments.size()),
-                          .limit = std::numeric_limits<double>::infinity()};
+        AttachedPair pair{
+            .vertices = {v, k_no_index, k_no_index, k_no_index, k_no_index, k_no_index},
+            .weights = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+            .attachment = static_cast<Index>(world.attachments.size()),
+            .limit = std::numeric_limits<double>::infinity()};
         for (std::size_t k = 0; k < 4; ++k) {
             pair.vertices[k + 1] = rigid.body.first_particle + static_cast<Index>(k);
             pair.weights[k + 1] = -weights[k];
