@@ -102,7 +102,7 @@ bool moves_too_far(const World& world, std::span<const Vec3> end_positions) {
 struct Stepper::Impl {
     Impl(const World& world, const SceneParams& scene, const ContactParams& contact)
         : scene(scene), implicit(std::in_place, world, scene), solver(world, contact),
-          adaption(world), contact_params(contact), adaptions(adaptions_of(world)) {}
+          adaption(world), start(world), contact_params(contact), adaptions(adaptions_of(world)) {}
 
     bool substep(World& world, double dt, bool may_yield, FrameReport& report);
     void find_average_velocities(const World& world, double dt);
@@ -118,6 +118,7 @@ struct Stepper::Impl {
     std::optional<ImplicitStep> implicit;
     ContactSolver solver;
     WorldAdaption adaption;
+    StartPositions start;
     std::optional<WorldCrossings> crossings; ///< made when asked for
     ContactParams contact_params;
     std::vector<Index> adaptions; ///< of each cloth's mesh, as it is known here
@@ -176,7 +177,7 @@ void Stepper::Impl::adapt(World& world, double time, FrameReport& report) {
         return;
     }
     implicit->adapt(world, changes);
-    solver.remesh(world, start_positions(world));
+    solver.remesh(world, start.of(world));
     verify(world, time, report);
 }
 
@@ -187,7 +188,7 @@ void Stepper::Impl::follow_mesh(const World& world) {
     }
     adaptions = adaptions_of(world);
     implicit.emplace(world, scene);
-    solver.remesh(world, start_positions(world));
+    solver.remesh(world, start.of(world));
     adaption.reset(world);
 }
 
