@@ -2,6 +2,7 @@
 
 #include "app/inspect_animation.h"
 #include "base/error.h"
+#include "scene/law_shape.h"
 #include "scene/mesh_sequence.h"
 #include "scene/scene_reader.h"
 
@@ -18,8 +19,18 @@ void add_mesh(const Scene& scene, const MeshSource& source, bool cloth, InspectR
 
 std::string describe_cloth(const ClothParams& cloth) {
     SummaryLines sheet;
-    sheet.row("cloth", "{}: fabric {}, {:.4g} kg/m^2, {}", cloth.name, cloth.fabric.name,
-              cloth.fabric.area_density, plural(cloth.pins.size(), "pin"));
+    const std::string density = cloth.model == Model::Corotational
+                                    ? fmt::format(", {:.4g} kg/m^2", cloth.fabric.area_density)
+                                    : "";
+    sheet.row("cloth", "{}: fabric {}{}, {}", cloth.name, cloth.fabric.name, density,
+              plural(cloth.pins.size(), "pin"));
+    if (cloth.model != Model::Corotational) {
+        const SpringParams& spring = cloth.spring;
+        const std::string soft = softening_text(cloth.model, spring);
+        sheet.row("", "model {}, {:.4g} kg, {}{}", model_name(cloth.model), spring.mass,
+                  spring.calibrate ? "K of its fabric" : fmt::format("K {:.4g} N/m", spring.K),
+                  soft.empty() ? "" : ": " + soft);
+    }
     if (cloth.mesh.file.empty()) {
         sheet.row("", "grid {:.4g} x {:.4g} m, {} x {} cells", cloth.grid_size.x(),
                   cloth.grid_size.y(), cloth.grid_cells[0], cloth.grid_cells[1]);

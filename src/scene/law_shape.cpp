@@ -19,6 +19,11 @@ void add_between(std::vector<Softening>& intervals, double from, double to) {
 
 } // namespace
 
+const char* model_name(Model model) {
+    const char* const names[] = {"corotational", "cubic", "linear", "stvk_edge", "stvk_triangle"};
+    return names[static_cast<int>(model)];
+}
+
 LawShape law_shape(Model model, const SpringParams& params) {
     assert(model != Model::Corotational);
     if (model == Model::StvkEdge) {

@@ -6,6 +6,9 @@
 
 namespace weft {
 
+/// As in the scene file.
+const char* model_name(Model model);
+
 /// The form that the three laws of edges have in common. At stretch s = r / L, with e = s - 1, an
 /// edge of stiffness K at rest has
 ///

@@ -1,5 +1,6 @@
 #include "scene/scene_writer.h"
 
+#include "scene/law_shape.h"
 #include "scene/toml_writer.h"
 
 #include <fmt/core.h>
@@ -82,11 +83,6 @@ void write_fabric(TomlWriter& out, const FabricParams& fabric) {
     write_friction(out, fabric.friction, fabric.static_friction);
     out.line("damping", fabric.damping, "mass 1/s, stiffness s");
     out.line("range", fabric.working_range, "working range of stretch");
-}
-
-const char* model_name(Model model) {
-    const char* const names[] = {"corotational", "cubic", "linear", "stvk_edge", "stvk_triangle"};
-    return names[static_cast<int>(model)];
 }
 
 /// @param header  `[cloth.spring]` or `[solid.spring]`

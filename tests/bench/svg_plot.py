@@ -2,7 +2,7 @@
 import html
 import math
 
-width, height, left, right, top, bottom = 560, 360, 64, 150, 28, 44
+width, height, left, right, top, bottom = 600, 360, 64, 190, 28, 44
 colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#999999"]
 
 
