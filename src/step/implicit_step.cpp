@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "step/contact_stiffness.h"
 #include "step/rigid_step.h"
 
 #include <cassert>
@@ -25,42 +26,6 @@ bool all_finite(std::span<const Vec3> values) {
 
 double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
     return parallel_sum(a.size(), [&](std::size_t i) { return a[i].dot(b[i]); });
-}
-
-/// The whole weight of a rigid body, at the earth's surface, on a single contact uses up this share
-/// of the contact thickness. Larger: heavy bodies sink in; smaller: the solve takes longer.
-constexpr double k_weight_share = 0.2;
-constexpr double k_earth_gravity = 9.81;
-
-double contact_stiffness_of(const Cloth& cloth) {
-    return cloth.params.model == Model::Corotational
-               ? 0.5 * cloth.params.fabric.stretch_stiffness.sum()
-               : cloth.params.spring.K;
-}
-
-/// Springs of contacts are as stiff as the membrane, half the sum of its moduli, as the edges of
-/// an edge model, or as the weight of a rigid body asks for.
-std::vector<double> contact_stiffness(const World& world) {
-    std::vector<double> stiffness(world.vertex_count(), 0.0);
-    for (const Cloth& cloth : world.cloths) {
-        for (Index i = cloth.first_vertex; i < cloth.first_vertex + cloth.vertex_count; ++i) {
-            stiffness[static_cast<std::size_t>(i)] = contact_stiffness_of(cloth);
-        }
-    }
-    const auto set = [&](const Body& body, double value) {
-        std::fill_n(stiffness.begin() + body.first_vertex, body.vertex_count, value);
-    };
-    for (const Solid& solid : world.solids) {
-        set(solid.body, solid.params.spring.K);
-    }
-    double heaviest = 0.0; // perhaps it lies on all others
-    for (const RigidBody& rigid : world.rigids) {
-        heaviest = std::max(heaviest, rigid.params.mass);
-    }
-    for (const RigidBody& rigid : world.rigids) {
-        set(rigid.body, heaviest * k_earth_gravity / (k_weight_share * rigid.body.thickness));
-    }
-    return stiffness;
 }
 
 std::vector<double> mass_damping(const World& world) {
