@@ -171,16 +171,17 @@ private:
     Index first_;
 };
 
-/// They join vertices of several cloths, so their elements have the world's own indices.
-class ForceSystem::AttachmentGroup : public Group {
+/// Elements that join vertices of several objects, or stand behind all cloths: made of the world,
+/// with its own indices, and made anew when a mesh before them changes.
+template <typename Elements> class ForceSystem::WorldGroup : public Group {
 public:
-    explicit AttachmentGroup(const World& world) : elements_(world) {}
+    explicit WorldGroup(const World& world) : elements_(world) {}
 
-    void set_threads(const World& world, double end_time) { elements_.set(world, end_time); }
+    Elements& elements() { return elements_; }
 
-    ElementSet set() const override { return {AttachmentElements::k_nodes, elements_.nodes(), 0}; }
+    ElementSet set() const override { return {Elements::k_nodes, elements_.nodes(), 0}; }
     std::vector<Index> adapt(const World& world, std::span<const ClothChanges>) override {
-        elements_ = AttachmentElements(world);
+        elements_ = Elements(world);
         std::vector<Index> slots(elements_.size());
         std::iota(slots.begin(), slots.end(), 0);
         return slots;
@@ -199,36 +200,7 @@ public:
     }
 
 private:
-    AttachmentElements elements_;
-};
-
-/// They stand behind all cloths, so their elements have the world's own indices.
-class ForceSystem::RigidGroup : public Group {
-public:
-    explicit RigidGroup(const World& world) : elements_(world) {}
-
-    ElementSet set() const override { return {RigidElements::k_nodes, elements_.nodes(), 0}; }
-    std::vector<Index> adapt(const World& world, std::span<const ClothChanges>) override {
-        elements_ = RigidElements(world);
-        std::vector<Index> slots(elements_.size());
-        std::iota(slots.begin(), slots.end(), 0);
-        return slots;
-    }
-    void evaluate(std::span<const Vec3> x,
-                  std::span<const Vec3> v,
-                  SystemScales scales,
-                  std::span<Vec3> forces,
-                  std::span<Mat3> blocks) const override {
-        elements_.evaluate(x, v, scales, forces, blocks);
-    }
-    void forces(std::span<const Vec3> x,
-                std::span<const Vec3> v,
-                std::span<Vec3> forces) const override {
-        elements_.forces(x, v, forces);
-    }
-
-private:
-    RigidElements elements_;
+    Elements elements_;
 };
 
 ForceSystem::ForceSystem(const World& world, const SceneParams& params) {
@@ -252,8 +224,8 @@ ForceSystem::ForceSystem(const World& world, const SceneParams& params) {
     for (std::size_t s = 0; s < world.solids.size(); ++s) {
         groups_.push_back(std::make_unique<SolidGroup>(world, s));
     }
-    groups_.push_back(std::make_unique<RigidGroup>(world));
-    auto attachments = std::make_unique<AttachmentGroup>(world);
+    groups_.push_back(std::make_unique<WorldGroup<RigidElements>>(world));
+    auto attachments = std::make_unique<WorldGroup<AttachmentElements>>(world);
     attachments_ = attachments.get();
     groups_.push_back(std::move(attachments));
     for (std::size_t c = 0; c < world.cloths.size(); ++c) {
@@ -304,7 +276,7 @@ void ForceSystem::start_substep(std::span<const Vec3> v) {
 }
 
 void ForceSystem::set_attachments(const World& world, double end_time) {
-    attachments_->set_threads(world, end_time);
+    attachments_->elements().set(world, end_time);
 }
 
 void ForceSystem::evaluate(std::span<const Vec3> x,

@@ -48,14 +48,13 @@ private:
     template <typename Elements> class ClothGroup;
     class SolidGroup;
     class BendingGroup;
-    class AttachmentGroup;
-    class RigidGroup;
+    template <typename Elements> class WorldGroup;
 
     std::vector<ElementSet> sets() const;
     void resize_arrays();
 
-    std::vector<std::unique_ptr<Group>> groups_; ///< in the order in which they are summed
-    AttachmentGroup* attachments_;               ///< one of them
+    std::vector<std::unique_ptr<Group>> groups_;  ///< in the order in which they are summed
+    WorldGroup<AttachmentElements>* attachments_; ///< one of them
     std::unique_ptr<Assembler> assembler_;
     SystemScales scales_;
     std::vector<Vec3> element_forces_;
