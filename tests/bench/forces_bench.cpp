@@ -15,7 +15,7 @@ namespace weft {
 namespace {
 
 struct State {
-    test::Sheet sheet = test::union_jack_sheet(64, 64, 1.0, 1.0);
+    Sheet sheet = union_jack_sheet(64, 64, 1.0, 1.0);
     std::vector<Vec3> x = test::placed(sheet, [](const Vec2& m) {
         return Vec3(1.02 * m.x(), 0.05 * std::sin(13.0 * m.x() + 7.0 * m.y()), 0.99 * m.y());
     });
