@@ -1,5 +1,6 @@
 #include "frames/statistics.h"
 
+#include "adapt/least_rest_angle.h"
 #include "base/parallel.h"
 #include "frames/cache.h"
 #include "frames/csv.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace weft {
 
@@ -23,7 +25,7 @@ constexpr std::string_view k_header =
     "max_speed_m_s,state_hash,impacts,impact_zones,scaled_islands,"
     "substeps_impacts,substeps_zones,substeps_scaled,attached_pairs,welded_pairs,attached_gap_m,"
     "level_0,level_1,level_2,level_3,level_4,level_5,level_6,level_7,level_8,"
-    "volume_m3,inverted_cells";
+    "volume_m3,inverted_cells,least_angle_deg";
 
 /// A triangle's stretch and its share of the whole.
 struct Weighted {
@@ -98,7 +100,7 @@ std::string statistics_row(const FrameStatistics& s) {
     for (const std::size_t triangles : s.levels) {
         row << triangles;
     }
-    row << s.volume << s.inverted_cells;
+    row << s.volume << s.inverted_cells << s.least_angle_deg;
     return row.text();
 }
 
@@ -232,6 +234,10 @@ Statistician::measure(const World& world, const FrameReport& report, int crossin
         volume += body_volume(world, solid.body);
         inverted += count_inverted_cells(world, solid);
     }
+    double least_angle = std::numbers::pi / 3.0;
+    for (const Cloth& cloth : world.cloths) {
+        least_angle = std::min(least_angle, least_rest_angle(cloth));
+    }
     return {.frame = world.frame,
             .time = frame_time(world.frame, fps_),
             .report = report,
@@ -244,6 +250,7 @@ Statistician::measure(const World& world, const FrameReport& report, int crossin
             .attachments = measure_attachments(world),
             .volume = volume,
             .inverted_cells = inverted,
+            .least_angle_deg = least_angle * 180.0 / std::numbers::pi,
             .state_hash = state_hash(world)};
 }
 

@@ -43,6 +43,7 @@ struct FrameStatistics {
     AttachmentReport attachments;
     double volume = 0.0;            ///< m^3, of all solids together
     std::size_t inverted_cells = 0; ///< of solids, see count_inverted_cells()
+    double least_angle_deg = 60.0;  ///< of the rest triangles of all cloth
     std::uint64_t state_hash = 0;
 };
 

@@ -1,6 +1,8 @@
 #include "state/rest_triangle.h"
 
+#include <algorithm>
 #include <cassert>
+#include <numbers>
 
 namespace weft {
 
@@ -16,6 +18,17 @@ double rest_edge_length(const RestTriangle& rest, int k) {
     return (corners[static_cast<std::size_t>((k + 2) % 3)] -
             corners[static_cast<std::size_t>((k + 1) % 3)])
         .norm();
+}
+
+double least_angle(const RestTriangle& rest) {
+    const auto corners = rest_corners(rest);
+    double least = std::numbers::pi / 3.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec2 a = corners[(k + 1) % 3] - corners[k];
+        const Vec2 b = corners[(k + 2) % 3] - corners[k];
+        least = std::min(least, std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+    }
+    return least;
 }
 
 } // namespace weft

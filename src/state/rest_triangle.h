@@ -16,4 +16,7 @@ double rest_edge_length(const RestTriangle& rest, int k);
 /// Rest positions of the three corners in the triangle's own plane: 0, m1 - m0, m2 - m0.
 std::array<Vec2, 3> rest_corners(const RestTriangle& rest);
 
+/// Least angle of a rest triangle, rad, in (0, pi / 3].
+double least_angle(const RestTriangle& rest);
+
 } // namespace weft

@@ -18,30 +18,6 @@ std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
 }
 
-/// One of each kind of mesh, by turns.
-Cloth some_cloth(unsigned seed) {
-    switch (seed % 9) {
-    case 0:
-        return test::adaptive_sheet(equilateral_sheet(2, 2, 0.1));
-    case 1:
-        return test::adaptive_sheet(one_diagonal_sheet(2, 2, 1.0, 1.0));
-    case 2:
-        return test::adaptive_sheet(union_jack_sheet(2, 3, 1.0, 1.0));
-    case 3:
-        return test::adaptive_sheet(test::rough_sheet(3, 0.25, seed));
-    case 4:
-        return test::adaptive_cylinder(16, 1, seed % 2 == 0);
-    case 5:
-        return test::seamed_sheet(2);
-    case 6:
-        return test::flat_torus(3);
-    case 7:
-        return test::adaptive_sheet(test::pinched_sheet());
-    default:
-        return test::patched_sheet(4);
-    }
-}
-
 void expect_same(const Cloth& a, const Cloth& b) {
     ASSERT_EQ(a.vertex_count, b.vertex_count);
     EXPECT_EQ(a.triangles, b.triangles);
@@ -127,7 +103,7 @@ TEST(Sqrt3Mesh, UniformStepsOfAGridTripleIt) {
 TEST(Sqrt3Mesh, RandomHistoriesKeepEveryInvariantAndEndAtTheImportedMesh) {
     for (unsigned seed = 0; seed < 1350 && !HasFailure(); ++seed) {
         SCOPED_TRACE(seed);
-        const Cloth start = some_cloth(seed);
+        const Cloth start = test::some_cloth(seed);
         MeshHistory history(start, seed);
         history.run(5, 8, 0.7);
         history.coarsen_all();
@@ -138,7 +114,7 @@ TEST(Sqrt3Mesh, RandomHistoriesKeepEveryInvariantAndEndAtTheImportedMesh) {
 TEST(Sqrt3Mesh, DeepRefinementOfOneSpotComesBack) {
     for (unsigned seed = 0; seed < 18 && !HasFailure(); ++seed) {
         SCOPED_TRACE(seed);
-        const Cloth start = some_cloth(seed);
+        const Cloth start = test::some_cloth(seed);
         MeshHistory history(start, seed, 8);
         history.run(3, 40, 0.9);
         history.coarsen_all();
@@ -149,9 +125,9 @@ TEST(Sqrt3Mesh, DeepRefinementOfOneSpotComesBack) {
 TEST(Sqrt3Mesh, TheMeshIsAFunctionOfTheVerticesPutIn) {
     for (unsigned seed = 0; seed < 450 && !HasFailure(); ++seed) {
         SCOPED_TRACE(seed);
-        MeshHistory history(some_cloth(seed), seed);
+        MeshHistory history(test::some_cloth(seed), seed);
         history.run(6, 10, 0.7);
-        MeshHistory replay(some_cloth(seed), seed + 1);
+        MeshHistory replay(test::some_cloth(seed), seed + 1);
 
         replay.insert(history.inserted());
 
@@ -162,7 +138,7 @@ TEST(Sqrt3Mesh, TheMeshIsAFunctionOfTheVerticesPutIn) {
 
 TEST(Sqrt3Mesh, NothingBesideTheClothMattersToWhatFollows) {
     for (unsigned seed = 0; seed < 90 && !HasFailure(); ++seed) {
-        MeshHistory kept(some_cloth(seed), seed);
+        MeshHistory kept(test::some_cloth(seed), seed);
         MeshHistory resumed = kept;
         for (int i = 0; i < 6; ++i) {
             kept.run(1, 10, 0.6);
@@ -178,7 +154,7 @@ TEST(Sqrt3Mesh, NothingBesideTheClothMattersToWhatFollows) {
 TEST(Sqrt3Mesh, RefusedFlipsAndRemovalsAreMadeUpForLater) {
     for (unsigned seed = 0; seed < 630 && !HasFailure(); ++seed) {
         SCOPED_TRACE(seed);
-        const Cloth start = some_cloth(seed);
+        const Cloth start = test::some_cloth(seed);
         MeshHistory history(start, seed);
         history.refuse(0.4);
         history.run(5, 10, 0.7);
@@ -197,7 +173,7 @@ TEST(Sqrt3Mesh, RefusedFlipsAndRemovalsAreMadeUpForLater) {
 TEST(Sqrt3Mesh, WaitingFlipsAreKeptWhileEdgesMove) {
     for (unsigned seed = 0; seed < 90 && !HasFailure(); ++seed) {
         SCOPED_TRACE(seed);
-        const Cloth start = some_cloth(seed);
+        const Cloth start = test::some_cloth(seed);
         MeshHistory history(start, seed, 6);
         history.refuse(0.5);
         history.run(8, 30, 0.75);
@@ -265,7 +241,7 @@ TEST(Sqrt3Mesh, NothingIsFinerThanTheLevelAllowed) {
 TEST(Sqrt3Mesh, NoHistoryGoesBeyondTheLevelAllowed) {
     for (unsigned seed = 0; seed < 60; ++seed) {
         const Index most = 1 + static_cast<Index>(seed % 3);
-        MeshHistory history(some_cloth(seed / 3), seed, most);
+        MeshHistory history(test::some_cloth(seed / 3), seed, most);
         history.refuse(0.2);
         history.run(6, 20, 0.8);
         history.refuse(0.0);
@@ -279,7 +255,7 @@ TEST(Sqrt3Mesh, NoHistoryGoesBeyondTheLevelAllowed) {
 
 TEST(Sqrt3Mesh, FrozenTrianglesStayWhatTheyAre) {
     for (unsigned seed = 0; seed < 90; ++seed) {
-        Cloth start = some_cloth(seed);
+        Cloth start = test::some_cloth(seed);
         const std::size_t frozen = seed % start.triangles.size();
         start.refinement.frozen[frozen] = 1;
         MeshHistory history(start, seed);

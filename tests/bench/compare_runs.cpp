@@ -8,7 +8,7 @@
 ///   different sides;
 /// - to the nearest point of the run's surface.
 /// Prints a table: size (diagonal of the cloth's box at the first frame, m), rms and greatest of
-/// both distances (m), and the least angle of the run's triangles in the flat pattern (degrees).
+/// both distances (m).
 
 #include "base/error.h"
 #include "frames/cache.h"
@@ -23,7 +23,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 namespace weft {
@@ -127,19 +126,6 @@ std::vector<double> vertex_areas(const Surface& surface) {
     return areas;
 }
 
-double least_angle_deg(const Surface& surface) {
-    double greatest_cosine = -1.0;
-    for (const Triangle& t : surface.uncut) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3& corner = surface.pattern[at(t[k])];
-            const Vec3 a = surface.pattern[at(t[(k + 1) % 3])] - corner;
-            const Vec3 b = surface.pattern[at(t[(k + 2) % 3])] - corner;
-            greatest_cosine = std::max(greatest_cosine, a.dot(b) / (a.norm() * b.norm()));
-        }
-    }
-    return std::acos(std::min(1.0, greatest_cosine)) * 180.0 / std::numbers::pi;
-}
-
 /// Weights of a point of the plane in a triangle there; some are negative when it lies outside.
 Vec3 weights_in_plane(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
     const double area = (b - a).cross(c - a).z();
@@ -214,8 +200,8 @@ void compare(int number, double size, const Surface& reference, const Surface& r
         }
         surface.add(distances.to_surface(p), areas[v]);
     }
-    fmt::print("{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.4g}\n", number, size, material.rms(),
-               material.greatest, surface.rms(), surface.greatest, least_angle_deg(run));
+    fmt::print("{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", number, size, material.rms(),
+               material.greatest, surface.rms(), surface.greatest);
 }
 
 double size_of(const Surface& surface) {
@@ -233,7 +219,7 @@ int compare_runs(const std::filesystem::path& reference_folder,
     const CachedRun run = open_run(run_folder);
     const std::vector<int> known = reference.frames();
     const double size = size_of(surface_of(reference.read(known.front())));
-    fmt::print("frame,size_m,rms_m,max_m,surface_rms_m,surface_max_m,least_angle_deg\n");
+    fmt::print("frame,size_m,rms_m,max_m,surface_rms_m,surface_max_m\n");
     for (const int number : run.frames()) {
         if ((number - 1) % every == 0 && std::binary_search(known.begin(), known.end(), number)) {
             compare(number, size, surface_of(reference.read(number)), surface_of(run.read(number)));

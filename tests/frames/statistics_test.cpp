@@ -31,6 +31,7 @@ TEST(Statistics, PutEachNumberUnderItsName) {
     statistics.report.contact = {.contacts_obstacle = 3, .contacts_self = 4, .min_gap = 5e-4};
     statistics.strain = {0.9, 1.0, 1.1, 1.2, 7.5};
     statistics.motion = {1.0, 2.0, 3.0, 4.0, Vec3(5.0, 6.0, 7.0), 8.0};
+    statistics.least_angle_deg = 18.4;
     statistics.state_hash = 0xab;
 
     const CsvTable table = table_of(statistics);
@@ -50,6 +51,7 @@ TEST(Statistics, PutEachNumberUnderItsName) {
     EXPECT_EQ(value("bending_J"), 3.0);
     EXPECT_EQ(value("gravity_J"), 4.0);
     EXPECT_EQ(value("com_z_m"), 7.0);
+    EXPECT_EQ(value("least_angle_deg"), 18.4);
     EXPECT_EQ(value("max_speed_m_s"), 8.0);
     EXPECT_EQ(table.rows[0][static_cast<std::size_t>(table.find_column("state_hash"))],
               "00000000000000ab");
@@ -110,6 +112,17 @@ TEST(Statistics, WeighStretchByRestArea) {
     EXPECT_NEAR(strain.stretch_mean, 0.8 * 1.0 + 0.2 * 1.5, 1e-9);
     EXPECT_NEAR(strain.stretch_p95, 1.5, 1e-9);
     EXPECT_NEAR(strain.stretch_min, 1.0, 1e-9);
+}
+
+TEST(Statistics, LeastAngleIsThatOfTheRestShape) {
+    World world = test::grid_world(1.0, 4); // right isosceles triangles
+    for (Vec3& x : world.positions) {
+        x.x() += 0.5 * x.z();
+    }
+
+    const FrameStatistics statistics = Statistician(world, {}).measure(world, {}, 0);
+
+    EXPECT_NEAR(statistics.least_angle_deg, 45.0, 1e-9);
 }
 
 TEST(Statistics, AreTheSameTextForAnyThreadCount) {

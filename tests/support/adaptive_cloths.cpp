@@ -142,4 +142,27 @@ Cloth patched_sheet(int cells) {
     });
 }
 
+Cloth some_cloth(unsigned seed) {
+    switch (seed % 9) {
+    case 0:
+        return adaptive_sheet(equilateral_sheet(2, 2, 0.1));
+    case 1:
+        return adaptive_sheet(one_diagonal_sheet(2, 2, 1.0, 1.0));
+    case 2:
+        return adaptive_sheet(union_jack_sheet(2, 3, 1.0, 1.0));
+    case 3:
+        return adaptive_sheet(rough_sheet(3, 0.25, seed));
+    case 4:
+        return adaptive_cylinder(16, 1, seed % 2 == 0);
+    case 5:
+        return seamed_sheet(2);
+    case 6:
+        return flat_torus(3);
+    case 7:
+        return adaptive_sheet(pinched_sheet());
+    default:
+        return patched_sheet(4);
+    }
+}
+
 } // namespace weft::test

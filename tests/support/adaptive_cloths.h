@@ -29,4 +29,7 @@ Cloth seamed_sheet(int cells);
 /// The same with the larger piece an island of 2 by 2 cells within.
 Cloth patched_sheet(int cells);
 
+/// One of each of nine kinds of mesh, by turns: the above and regular ones.
+Cloth some_cloth(unsigned seed);
+
 } // namespace weft::test

@@ -1,3 +1,4 @@
+#include "adapt/least_rest_angle.h"
 #include "app/validation/experiments.h"
 #include "app/validation/motion.h"
 #include "step/adapt_world.h"
@@ -24,7 +25,8 @@ constexpr double k_swing = 0.05; ///< m, at the free end
 constexpr int k_frames = 140;    ///< more than two periods of either
 
 /// Least angle that refinement of right-angled isosceles triangles makes: atan(1/3).
-const double k_angle_bound = std::atan(1.0 / 3.0) * 180.0 / std::numbers::pi;
+constexpr double k_degree = std::numbers::pi / 180.0;
+const double k_angle_bound = std::atan(1.0 / 3.0) / k_degree;
 
 struct Strip {
     const char* name;
@@ -73,20 +75,6 @@ Scene scene_of(const Strip& strip, bool is_adaptive) {
     return scene;
 }
 
-double least_angle(const Cloth& cloth) {
-    double least = 180.0;
-    for (const RestTriangle& rest : cloth.rest) {
-        const auto x = rest_corners(rest);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vec2 a = x[(k + 1) % 3] - x[k];
-            const Vec2 b = x[(k + 2) % 3] - x[k];
-            const double angle = std::acos(a.dot(b) / (a.norm() * b.norm()));
-            least = std::min(least, angle * 180.0 / std::numbers::pi);
-        }
-    }
-    return least;
-}
-
 /// What a strip did over the frames.
 struct Swing {
     double period = 0.0;      ///< s
@@ -112,7 +100,7 @@ Swing swing(const Strip& strip, bool is_adaptive) {
     make_adaptive(world);
     Stepper stepper(world, scene.scene, scene.contact);
     Swing result;
-    result.least_angle = least_angle(world.cloths[0]);
+    result.least_angle = least_rest_angle(world.cloths[0]) / k_degree;
     std::vector<double> heights;
     for (int frame = 0; frame < k_frames; ++frame) {
         const FrameReport report = *stepper.advance_frame(world, nullptr);
@@ -121,7 +109,8 @@ Swing swing(const Strip& strip, bool is_adaptive) {
             height += world.positions[i].y();
         }
         heights.push_back(height);
-        result.least_angle = std::min(result.least_angle, least_angle(world.cloths[0]));
+        result.least_angle =
+            std::min(result.least_angle, least_rest_angle(world.cloths[0]) / k_degree);
         result.most = std::max(result.most, world.triangle_count());
         result.refined += report.refined;
         result.coarsened += report.coarsened;
