@@ -176,7 +176,10 @@ void Stepper::Impl::adapt(World& world, double time, FrameReport& report) {
     if (!done.changed) {
         return;
     }
-    implicit->adapt(world, changes);
+    {
+        const ScopedTime update_watch(report.seconds.matrix_update);
+        implicit->adapt(world, changes);
+    }
     solver.remesh(world, start.of(world));
     verify(world, time, report);
 }

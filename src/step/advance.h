@@ -16,8 +16,9 @@ struct StageSeconds {
     double assembly = 0.0; ///< into the matrix
     double solve = 0.0;
     double contact_broad = 0.0, contact_proximity = 0.0, contact_impact = 0.0;
-    double adapt = 0.0;
-    double verify = 0.0; ///< exact search for crossings, see verify_substeps()
+    double adapt = 0.0;         ///< the meshes, and what is made of them
+    double matrix_update = 0.0; ///< part of adapt: forces and matrix taken to the new mesh
+    double verify = 0.0;        ///< exact search for crossings, see verify_substeps()
 };
 
 /// What happened between two frames.

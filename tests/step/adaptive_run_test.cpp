@@ -104,6 +104,20 @@ void refine_by_hand(World& world, std::size_t index) {
 
 } // namespace
 
+TEST(AdaptiveRun, TheMatrixTakesPartOfTheTimeOfAdaption) {
+    AdaptiveWorld run(sheet_over_sphere());
+    StageSeconds seconds;
+    while (run.world.frame < 20 && run.refined == 0) {
+        const FrameReport report = *run.stepper->advance_frame(run.world, nullptr);
+        run.refined += report.refined;
+        seconds = report.seconds;
+    }
+
+    ASSERT_GT(run.refined, 0);
+    EXPECT_GT(seconds.matrix_update, 0.0);
+    EXPECT_LT(seconds.matrix_update, seconds.adapt);
+}
+
 TEST(AdaptiveRun, AFlatSheetAtRestIsLeftAlone) {
     Scene on_floor = adaptive_scene(6);
     on_floor.cloths[0].placement.translate = {0.0, 0.001, 0.0};
