@@ -26,6 +26,8 @@ bool ElementRooms::fit(std::span<const VertexRange> objects, std::span<const Ele
     for (std::size_t s = 0; s < sets.size(); ++s) {
         Set& set = sets_[s];
         set.nodes_per_element = static_cast<std::size_t>(sets[s].nodes_per_element);
+        set.reciprocal =
+            ((std::uint64_t{1} << 33) + set.nodes_per_element - 1) / set.nodes_per_element;
         set.blocks_per_element = sets[s].blocks_per_element();
         set.is_constant = sets[s].is_constant;
         set.is_difference = sets[s].is_difference;
@@ -54,6 +56,7 @@ void ElementRooms::lay_out() {
         force_count_ += set.capacity * set.nodes_per_element;
         blocks += set.capacity * set.blocks_per_element;
     }
+    assert(force_count_ < std::size_t{1} << 30);
     for (Object& object : objects_) {
         object.begin = site_count_;
         site_count_ += object.capacity;

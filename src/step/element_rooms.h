@@ -44,6 +44,14 @@ public:
         std::size_t force_begin;     ///< in the array of element forces, one a node
         std::size_t block_begin;     ///< in that of element blocks; constant sets have their own
         bool is_constant, is_difference;
+        std::uint64_t reciprocal; ///< of nodes_per_element, in 2^-33
+
+        /// Element of a node. Multiplied, as there are tens of these for each row of a matrix.
+        /// @param node counted from the set's first, below 2^30; the division is exact so far, for
+        ///             up to 8 nodes an element
+        std::uint32_t element_of(std::uint32_t node) const {
+            return static_cast<std::uint32_t>((node * reciprocal) >> 33);
+        }
     };
     struct Object {
         std::size_t first, count; ///< vertices of World

@@ -18,11 +18,11 @@ void SourceLists::build(const ElementRooms& rooms, std::span<const ElementSet> s
         std::fill_n(is_present_.begin() + static_cast<std::ptrdiff_t>(object.begin), object.count,
                     1);
     }
-    mark_.assign(rooms.site_count(), 0);
+    mark_.assign(rooms.site_count(), {0, 0});
     last_mark_ = 0;
-    place_.resize(rooms.site_count());
-    is_touched_.assign(rooms.site_count(), 0);
+    needs_.assign(rooms.site_count(), 0);
     changed_rows_ = 0;
+    number_sources(rooms);
     list_nodes(rooms, sets);
     list_forces(rooms);
     list_neighbours(rooms);
@@ -37,6 +37,25 @@ void SourceLists::keep_counts(const ElementRooms& rooms) {
     vertex_counts_.clear();
     for (const ElementRooms::Object& object : rooms.objects()) {
         vertex_counts_.push_back(object.count);
+    }
+}
+
+/// Of each node of an element with each.
+void SourceLists::number_sources(const ElementRooms& rooms) {
+    sources_.clear();
+    for (const ElementRooms::Set& set : rooms.sets()) {
+        const std::size_t n = set.nodes_per_element;
+        std::vector<std::uint32_t>& sources = sources_.emplace_back();
+        for (std::size_t k = 0; k < n; ++k) {
+            for (std::size_t j = 0; j < n; ++j) {
+                const std::size_t low = std::min(k, j);
+                const std::size_t block = low * n - low * (low + 1) / 2 + std::max(k, j);
+                const std::uint32_t manner = k > j ? k_transposed : k_as_it_is;
+                sources.push_back(set.is_difference
+                                      ? (k == j ? k_as_it_is : k_negative)
+                                      : k_manners * static_cast<std::uint32_t>(block) + manner);
+            }
+        }
     }
 }
 
@@ -66,41 +85,62 @@ void SourceLists::list_forces(const ElementRooms& rooms) {
     }
 }
 
-/// Calls f(set number, element, which of its nodes, its nodes) for each element at a site, in
-/// order; once for each of its nodes that stand there.
+/// Calls f(set number, element, which of its nodes, its nodes) for each element at a site that the
+/// needs ask for, in order; once for each of its nodes that stand there.
 template <typename F>
-void SourceLists::for_each_element(const ElementRooms& rooms, std::size_t site, const F& f) const {
+void SourceLists::for_each_element(const ElementRooms& rooms,
+                                   std::size_t site,
+                                   std::uint8_t needs,
+                                   const F& f) const {
+    const std::span<const ElementRooms::Set> sets = rooms.sets();
     std::size_t s = 0;
     for (const std::uint32_t force : forces_[site]) {
-        const ElementRooms::Set* set = &rooms.sets()[s];
-        while (force >= set->force_begin + set->capacity * set->nodes_per_element) {
-            set = &rooms.sets()[++s];
+        while (force >= sets[s].force_begin + sets[s].capacity * sets[s].nodes_per_element) {
+            ++s;
         }
-        const auto n = static_cast<std::uint32_t>(set->nodes_per_element);
-        const auto within = static_cast<std::uint32_t>(force - set->force_begin);
-        const std::uint32_t element = within / n; // 32 bits: half the time of 64
+        const ElementRooms::Set& set = sets[s];
+        if ((needs & (k_neighbours | (set.is_constant ? k_constants : k_blocks))) == 0) {
+            continue;
+        }
+        const auto within = static_cast<std::uint32_t>(force - set.force_begin);
+        const std::uint32_t element = set.element_of(within);
+        const auto n = static_cast<std::uint32_t>(set.nodes_per_element);
         const std::uint32_t k = within - element * n;
         f(s, element, k, std::span<const Index>(&nodes_[force - k], n));
     }
 }
 
-/// Sites that elements join with this one, and itself, to found_, in any order.
-void SourceLists::find_neighbours(const ElementRooms& rooms, std::size_t site) {
-    found_.clear();
+/// The present row is that of a site which nothing joins but what is known of it.
+void SourceLists::begin_row(std::size_t site) {
     ++last_mark_;
-    const auto look = [&](Index other) {
-        if (other != k_no_index && mark_[at(other)] != last_mark_) {
-            mark_[at(other)] = last_mark_;
-            found_.push_back(other);
-        }
-    };
-    if (is_present_[site] != 0) {
-        look(static_cast<Index>(site));
+    row_.clear();
+    for (const Neighbour& known : neighbours_[site]) {
+        row_[place_of(known.site)].pair = known.pair;
     }
-    for_each_element(rooms, site,
+    if (is_present_[site] != 0) {
+        row_[place_of(static_cast<Index>(site))].visits = 1;
+    }
+}
+
+/// Where in the present row its neighbour at a site is, a new one when it has not been met before.
+std::uint32_t SourceLists::place_of(Index site) {
+    Mark& mark = mark_[at(site)];
+    if (mark.row != last_mark_) {
+        mark = {last_mark_, static_cast<std::uint32_t>(row_.size())};
+        row_.push_back({.site = site});
+    }
+    return mark.place;
+}
+
+/// Sites that elements join with this one, and itself, to the present row.
+void SourceLists::find_neighbours(const ElementRooms& rooms, std::size_t site) {
+    begin_row(site);
+    for_each_element(rooms, site, k_neighbours,
                      [&](std::size_t, std::uint32_t, std::uint32_t, std::span<const Index> nodes) {
                          for (const Index other : nodes) {
-                             look(other);
+                             if (other != k_no_index) {
+                                 place_of(other);
+                             }
                          }
                      });
 }
@@ -108,11 +148,14 @@ void SourceLists::find_neighbours(const ElementRooms& rooms, std::size_t site) {
 void SourceLists::list_neighbours(const ElementRooms& rooms) {
     std::vector<Index> all;
     std::vector<std::uint32_t> lengths(rooms.site_count(), 0);
+    neighbours_.reset(lengths);
     for (std::size_t site = 0; site < rooms.site_count(); ++site) {
         find_neighbours(rooms, site);
-        std::sort(found_.begin(), found_.end());
-        all.insert(all.end(), found_.begin(), found_.end());
-        lengths[site] = static_cast<std::uint32_t>(found_.size());
+        for (const RowEntry& entry : row_) {
+            all.push_back(entry.site);
+        }
+        std::sort(all.end() - static_cast<std::ptrdiff_t>(row_.size()), all.end());
+        lengths[site] = static_cast<std::uint32_t>(row_.size());
     }
     neighbours_.reset(lengths);
     auto next = all.begin();
@@ -142,55 +185,90 @@ void SourceLists::build_pairs(const ElementRooms& rooms,
             blocks_.add_list();
             constant_.push_back(0.0);
         }
-        list_row(rooms, sets, at(site));
+        list_row(rooms, sets, at(site), k_blocks | k_constants);
     }
     blocks_.keep_room_to_spare(true);
 }
 
-/// Lists what sums into the pairs of this site with itself and with higher ones.
-void SourceLists::list_row(const ElementRooms& rooms,
-                           std::span<const ElementSet> sets,
-                           std::size_t site) {
-    const std::span<const Neighbour> row = neighbours_[site];
-    if (row_blocks_.size() < row.size()) {
-        row_blocks_.resize(row.size());
-    }
-    for (std::size_t i = 0; i < row.size(); ++i) {
-        place_[at(row[i].site)] = static_cast<std::uint32_t>(i);
-        if (row[i].site >= static_cast<Index>(site)) {
-            row_blocks_[i].clear();
-            constant_[at(row[i].pair)] = 0.0;
-        }
-    }
+/// Collects the neighbours of a row, and what sums into its pairs with those at no lower site. What
+/// is not wanted is written and then passed over, as branches by site could not be foreseen.
+void SourceLists::gather_row(const ElementRooms& rooms,
+                             std::span<const ElementSet> sets,
+                             std::size_t site,
+                             std::uint8_t needs) {
+    const auto own = static_cast<Index>(site);
+    gathered_.clear();
     for_each_element(
-        rooms, site,
-        [&](std::size_t s, std::uint32_t element, std::size_t k, std::span<const Index> nodes) {
+        rooms, site, needs,
+        [&](std::size_t s, std::uint32_t element, std::uint32_t k, std::span<const Index> nodes) {
             const ElementRooms::Set& set = rooms.sets()[s];
+            const std::uint32_t* const sources = &sources_[s][k * nodes.size()];
             const std::size_t first = element * set.blocks_per_element;
-            for (std::size_t j = 0; j < nodes.size(); ++j) {
-                if (nodes[j] < static_cast<Index>(site)) {
-                    continue; // none, or of another row
+            if (set.is_constant) {
+                for (std::size_t j = 0; j < nodes.size(); ++j) {
+                    if (nodes[j] != k_no_index) {
+                        RowEntry& entry = row_[place_of(nodes[j])];
+                        ++entry.visits;
+                        entry.constant += sets[s].constants[first + sources[j] / k_manners];
+                    }
                 }
-                const std::size_t low = std::min(k, j);
-                const std::size_t block =
-                    set.is_difference
-                        ? first
-                        : first + low * nodes.size() - low * (low + 1) / 2 + std::max(k, j);
-                const std::uint32_t manner = set.is_difference ? (k == j ? k_as_it_is : k_negative)
-                                             : k > j           ? k_transposed
-                                                               : k_as_it_is;
-                const std::uint32_t neighbour = place_[at(nodes[j])];
-                if (set.is_constant) {
-                    constant_[at(row[neighbour].pair)] += sets[s].constants[block];
-                } else {
-                    row_blocks_[neighbour].push_back(
-                        k_manners * static_cast<std::uint32_t>(set.block_begin + block) + manner);
+                return;
+            }
+            const std::size_t begin = gathered_.size();
+            gathered_.resize(begin + nodes.size());
+            Gathered* next = &gathered_[begin];
+            const auto first_source =
+                k_manners * static_cast<std::uint32_t>(set.block_begin + first);
+            for (std::size_t j = 0; j < nodes.size(); ++j) {
+                if (nodes[j] != k_no_index) {
+                    const std::uint32_t place = place_of(nodes[j]);
+                    const std::uint32_t is_wanted = nodes[j] >= own ? 1 : 0;
+                    *next = {place, first_source + sources[j]};
+                    next += is_wanted;
+                    row_[place].blocks += is_wanted;
+                    ++row_[place].visits;
                 }
             }
+            gathered_.resize(static_cast<std::size_t>(next - gathered_.data()));
         });
-    for (std::size_t i = 0; i < row.size(); ++i) {
-        if (row[i].site >= static_cast<Index>(site)) {
-            blocks_.assign(at(row[i].pair), row_blocks_[i]);
+}
+
+/// Does anew what a row needs.
+void SourceLists::list_row(const ElementRooms& rooms,
+                           std::span<const ElementSet> sets,
+                           std::size_t site,
+                           std::uint8_t needs) {
+    begin_row(site);
+    gather_row(rooms, sets, site, needs);
+    if ((needs & k_neighbours) != 0) {
+        change_neighbours(site);
+    }
+    if ((needs & k_blocks) != 0) {
+        assign_blocks(site);
+    }
+    for (const RowEntry& entry : row_) {
+        if ((needs & k_constants) != 0 && entry.site >= static_cast<Index>(site) &&
+            entry.pair != k_no_index) {
+            constant_[at(entry.pair)] = entry.constant;
+        }
+    }
+}
+
+/// Deals what was gathered of a row out to its pairs.
+void SourceLists::assign_blocks(std::size_t site) {
+    std::uint32_t end = 0;
+    for (RowEntry& entry : row_) {
+        entry.end = end;
+        end += entry.blocks;
+    }
+    dealt_.resize(end);
+    for (const Gathered& one : gathered_) {
+        dealt_[row_[one.place].end++] = one.source;
+    }
+    for (const RowEntry& entry : row_) {
+        if (entry.site >= static_cast<Index>(site) && entry.pair != k_no_index) {
+            blocks_.assign(at(entry.pair),
+                           std::span(dealt_).subspan(entry.end - entry.blocks, entry.blocks));
         }
     }
 }
@@ -209,22 +287,22 @@ void SourceLists::change(const ElementRooms& rooms,
     touch_vertices(rooms);
     std::sort(touched_.begin(), touched_.end());
     for (const Index site : touched_) {
-        change_neighbours(rooms, at(site));
+        list_row(rooms, sets, at(site), needs_[at(site)]);
+        changed_rows_ += (needs_[at(site)] & k_blocks) != 0 ? 1 : 0;
+        needs_[at(site)] = 0;
     }
-    for (const Index site : touched_) {
-        list_row(rooms, sets, at(site));
-        is_touched_[at(site)] = 0;
-    }
-    changed_rows_ += touched_.size();
     touched_.clear();
     keep_counts(rooms);
 }
 
-void SourceLists::touch(Index site) {
-    if (site != k_no_index && is_touched_[at(site)] == 0) {
-        is_touched_[at(site)] = 1;
+void SourceLists::touch(Index site, std::uint8_t needs) {
+    if (site == k_no_index) {
+        return;
+    }
+    if (needs_[at(site)] == 0) {
         touched_.push_back(site);
     }
+    needs_[at(site)] |= needs;
 }
 
 /// Gives an element the nodes that it has now. One that joins the same nodes as before only
@@ -235,30 +313,39 @@ void SourceLists::change_nodes(const ElementRooms& rooms,
                                Index slot) {
     const std::size_t n = rooms.sets()[s].nodes_per_element;
     const std::size_t first = rooms.sets()[s].force_begin + at(slot) * n;
-    bool is_other = set.is_constant;
+    now_.clear();
     for (std::size_t k = 0; k < n; ++k) {
-        is_other = is_other || nodes_[first + k] != rooms.site_of_node(set, at(slot) * n + k);
+        now_.push_back(rooms.site_of_node(set, at(slot) * n + k));
     }
-    for (std::size_t k = 0; k < n && is_other; ++k) {
+    const bool is_other =
+        !std::equal(now_.begin(), now_.end(), nodes_.begin() + static_cast<std::ptrdiff_t>(first));
+    if (!is_other && !set.is_constant) {
+        return;
+    }
+    const std::uint8_t kind = set.is_constant ? k_constants : k_blocks;
+    const auto needs = static_cast<std::uint8_t>(kind | (is_other ? k_neighbours : 0));
+    for (std::size_t k = 0; k < n; ++k) {
         Index& node = nodes_[first + k];
-        const Index now = rooms.site_of_node(set, at(slot) * n + k);
-        touch(node);
-        touch(now);
-        if (node != now && node != k_no_index) {
+        touch(node, needs);
+        if (node == now_[k]) {
+            continue;
+        }
+        touch(now_[k], needs);
+        if (node != k_no_index) {
             forces_.erase(at(node), static_cast<std::uint32_t>(first + k));
         }
-        if (node != now && now != k_no_index) {
-            forces_.insert(at(now), static_cast<std::uint32_t>(first + k));
+        if (now_[k] != k_no_index) {
+            forces_.insert(at(now_[k]), static_cast<std::uint32_t>(first + k));
         }
-        node = now;
+        node = now_[k];
     }
 }
 
 void SourceLists::remove_nodes(const ElementRooms& rooms, std::size_t s, std::size_t slot) {
-    const std::size_t n = rooms.sets()[s].nodes_per_element;
-    const std::size_t first = rooms.sets()[s].force_begin + slot * n;
-    for (std::size_t i = first; i < first + n; ++i) {
-        touch(nodes_[i]);
+    const ElementRooms::Set& set = rooms.sets()[s];
+    const std::size_t first = set.force_begin + slot * set.nodes_per_element;
+    for (std::size_t i = first; i < first + set.nodes_per_element; ++i) {
+        touch(nodes_[i], k_neighbours | (set.is_constant ? k_constants : k_blocks));
         if (nodes_[i] != k_no_index) {
             forces_.erase(at(nodes_[i]), static_cast<std::uint32_t>(i));
         }
@@ -273,31 +360,26 @@ void SourceLists::touch_vertices(const ElementRooms& rooms) {
         const auto [fewer, more] = std::minmax(vertex_counts_[o], object.count);
         for (std::size_t v = fewer; v < more; ++v) {
             is_present_[object.begin + v] = v < object.count ? 1 : 0;
-            touch(static_cast<Index>(object.begin + v));
+            touch(static_cast<Index>(object.begin + v), k_neighbours | k_blocks | k_constants);
         }
     }
 }
 
-/// Parts a site from those that no element joins it with any more, and joins it with new ones.
-/// These are touched as well, and will find it done.
-void SourceLists::change_neighbours(const ElementRooms& rooms, std::size_t site) {
-    find_neighbours(rooms, site);
-    const std::span<const Neighbour> row = neighbours_[site];
-    old_row_.assign(row.begin(), row.end());
-    for (const Neighbour& neighbour : old_row_) {
-        if (mark_[at(neighbour.site)] != last_mark_) {
-            part(site, neighbour);
-        }
-        mark_[at(neighbour.site)] = 0; // known
-    }
-    for (const Index other : found_) {
-        if (mark_[at(other)] == last_mark_) {
-            join(site, at(other));
+/// Parts a site from those that no element joins it with any more, and joins it with new ones, as
+/// the present row has met them. These are touched as well, and will find it done.
+void SourceLists::change_neighbours(std::size_t site) {
+    for (RowEntry& entry : row_) {
+        if (entry.visits == 0) {
+            part(site, {entry.site, entry.pair});
+            entry.pair = k_no_index;
+        } else if (entry.pair == k_no_index) {
+            entry.pair = join(site, at(entry.site));
         }
     }
 }
 
-void SourceLists::join(std::size_t site_a, std::size_t site_b) {
+/// Returns the number of the new pair, into which nothing sums yet.
+Index SourceLists::join(std::size_t site_a, std::size_t site_b) {
     auto pair = static_cast<Index>(blocks_.size());
     if (free_.empty()) {
         blocks_.add_list();
@@ -305,11 +387,14 @@ void SourceLists::join(std::size_t site_a, std::size_t site_b) {
     } else {
         pair = free_.back();
         free_.pop_back();
+        blocks_.assign(at(pair), {});
+        constant_[at(pair)] = 0.0;
     }
     neighbours_.insert(site_a, {static_cast<Index>(site_b), pair});
     if (site_a != site_b) {
         neighbours_.insert(site_b, {static_cast<Index>(site_a), pair});
     }
+    return pair;
 }
 
 void SourceLists::part(std::size_t site, const Neighbour& neighbour) {
