@@ -79,6 +79,7 @@ StateTransfer::StateTransfer(const World& world, const Cloth& cloth)
         states_[i].previous_v = has_history ? world.previous_velocities[v] : states_[i].v;
         states_[i].start = cloth.refinement.start[i];
         states_[i].mass = world.masses[v];
+        states_[i].former = static_cast<Index>(i);
     }
     for (const Pin& pin : world.pins) {
         const Index v = pin.vertex - cloth.first_vertex;
@@ -109,7 +110,9 @@ void StateTransfer::insert(const VertexParents& place) {
             state.pin->anchor = anchor_to((*obstacles_)[at(obstacle)], obstacle, state.start);
         }
     }
+    state.former = place.vertex;
     states_.push_back(std::move(state));
+    inserted_.push_back(place);
 }
 
 /// The pin of the first parent when all are held by the same `[[cloth.pin]]`.
@@ -208,12 +211,45 @@ void StateTransfer::correct_patch(std::span<const Index> patch) {
     }
 }
 
+/// Of the world as it was before.
+ContactLegacies
+StateTransfer::take_legacies(World& world, const Cloth& cloth, const ClothChanges& changes) const {
+    std::vector<char> is_changed(old_count_, 1); // if it is found nowhere
+    for (const VertexState& state : states_) {
+        if (at(state.former) < old_count_) {
+            is_changed[at(state.former)] = 0;
+        }
+    }
+    for (const Index t : changes.triangles) {
+        for (const Index v : cloth.triangles[at(t)]) {
+            if (at(states_[at(v)].former) < old_count_) {
+                is_changed[at(states_[at(v)].former)] = 1;
+            }
+        }
+    }
+    ContactLegacies legacies(world, cloth.first_vertex, is_changed);
+    for (const VertexParents& place : inserted_) {
+        legacies.inherit(place);
+    }
+    return legacies;
+}
+
+void StateTransfer::leave_legacies(World& world, const ContactLegacies& legacies) const {
+    std::vector<Index> former;
+    for (const VertexState& state : states_) {
+        former.push_back(state.former);
+    }
+    legacies.leave(world, former, masses_);
+}
+
 void StateTransfer::finish(World& world, std::size_t index, const ClothChanges& changes) {
     Cloth& cloth = world.cloths[index];
     states_.resize(at(cloth.vertex_count));
     set_masses(cloth, changes);
     correct_velocities(cloth, changes);
+    const ContactLegacies legacies = take_legacies(world, cloth, changes);
     renumber_world(world, index, old_count_, changes);
+    leave_legacies(world, legacies);
     const bool has_history = !world.previous_positions.empty();
     cloth.refinement.start.resize(states_.size());
     for (std::size_t i = 0; i < states_.size(); ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adapt/adaption_hooks.h"
+#include "adapt/contact_legacies.h"
 #include "adapt/patch_momentum.h"
 #include "state/cloth_changes.h"
 #include "state/world.h"
@@ -16,7 +17,8 @@ namespace weft {
 /// in the history that BDF2 needs as well; it is pinned when all its parents are, by one pin. A
 /// vertex taken out leaves its momentum. Lumped masses change around all that is edited; then each
 /// connected patch of changed triangles, with some more around it, gets back the linear and angular
-/// momentum that it had; so do the changes of velocity that BDF2 goes on from.
+/// momentum that it had; so do the changes of velocity that BDF2 goes on from. Friction goes on as
+/// ContactLegacies says.
 class StateTransfer {
 public:
     StateTransfer(const World& world, const Cloth& cloth);
@@ -42,17 +44,22 @@ private:
         PatchMomentum left;        ///< by vertices that were taken out
         PatchMomentum left_change; ///< the same of what the last substep changed of their velocity
         std::optional<Pin> pin;
+        Index former = 0; ///< slot until finish
     };
 
     std::optional<Pin> common_pin(const VertexParents& place) const;
     void set_masses(const Cloth& cloth, const ClothChanges& changes);
     void correct_velocities(const Cloth& cloth, const ClothChanges& changes);
     void correct_patch(std::span<const Index> patch);
+    ContactLegacies
+    take_legacies(World& world, const Cloth& cloth, const ClothChanges& changes) const;
+    void leave_legacies(World& world, const ContactLegacies& legacies) const;
 
     const std::vector<Obstacle>* obstacles_;
     Vec3 origin_;
     std::vector<VertexState> states_; ///< by slot
     std::vector<double> masses_;      ///< by slot, after the adaption, kg
+    std::vector<VertexParents> inserted_;
     std::size_t old_count_;
 };
 

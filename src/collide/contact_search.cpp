@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "collide/proximity.h"
+#include "state/contact_legacy.h"
 
 #include <algorithm>
 
@@ -69,21 +70,15 @@ Contact make_contact(const ContactSurface& surface,
     return contact;
 }
 
-const ContactMemory* find_memory(std::span<const ContactMemory> memory,
-                                 const std::array<Index, 4>& pair) {
-    const auto found =
-        std::lower_bound(memory.begin(), memory.end(), pair,
-                         [](const ContactMemory& one, const auto& key) { return one.pair < key; });
-    return found != memory.end() && found->pair == pair ? &*found : nullptr;
-}
-
 } // namespace
 
 void ContactSearch::note_vertices(const ContactSurface& surface,
                                   std::span<const ContactMemory> memory) {
     of_vertex_.assign(at(surface.deformable_vertices), {});
+    has_legacies_ = false;
     for (const ContactMemory& one : memory) {
-        for (const Index v : one.pair) {
+        has_legacies_ = has_legacies_ || is_legacy(one);
+        for (const Index v : std::span(one.pair).first(is_legacy(one) ? 1 : 4)) {
             if (surface.is_deformable(v)) {
                 VertexMemory& known = of_vertex_[at(v)];
                 known.rest = std::max(known.rest, one.rest);
@@ -98,7 +93,7 @@ void ContactSearch::recall(const ContactSurface& surface,
                            double dt,
                            Contact& contact) const {
     double rest = contact.gap;
-    if (const ContactMemory* known = find_memory(memory, contact.pair)) {
+    if (const ContactMemory* known = find_pair(memory, contact.pair)) {
         rest = known->rest;
         contact.slip = known->slip - contact.normal.dot(known->slip) * contact.normal;
         contact.slides = known->slides != 0;
@@ -143,6 +138,9 @@ void ContactSearch::find(const ContactSurface& surface,
     contacts.clear();
     for (std::size_t c = 0; c < chunks; ++c) {
         contacts.insert(contacts.end(), found_[c].begin(), found_[c].end());
+    }
+    if (has_legacies_) {
+        shares_.give(surface, memory, contacts);
     }
 }
 

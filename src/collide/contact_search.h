@@ -2,6 +2,7 @@
 
 #include "collide/contact.h"
 #include "collide/impact.h"
+#include "collide/legacy_shares.h"
 
 namespace weft {
 
@@ -15,7 +16,7 @@ public:
     /// only from where it is, and its rest gap grows to the thickness by a tenth of what is missing
     /// a substep, k_parting_rate of it a second: cloth that starts in the skin comes out slowly. A
     /// pair that takes over from one beside it, as cloth slides on, takes over its rest gap and
-    /// that it slides.
+    /// that it slides; where the mesh was adapted, also its part of the legacies there.
     void find(const ContactSurface& surface,
               std::span<const Candidate> candidates,
               std::span<const ContactMemory> memory,
@@ -35,7 +36,9 @@ private:
                 double dt,
                 Contact& contact) const;
 
-    std::vector<VertexMemory> of_vertex_;     ///< #V deformable
+    std::vector<VertexMemory> of_vertex_; ///< #V deformable
+    bool has_legacies_ = false;
+    LegacyShares shares_;
     std::vector<std::vector<Contact>> found_; ///< a chunk of candidates
 };
 

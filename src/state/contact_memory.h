@@ -7,7 +7,7 @@
 
 namespace weft {
 
-/// What a pair in contact hands on to the next substep.
+/// What a pair in contact hands on to the next substep; or a legacy, see contact_legacy.h.
 struct ContactMemory {
     std::array<Index, 4> pair; ///< vertices of the contact surface
     double rest;               ///< gap from which on nothing pushes, m

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "adapt/adaption_hooks.h"
+#include "state/world.h"
+
+#include <span>
+#include <vector>
+
+namespace weft {
+
+/// Carries what contact remembers of a cloth's pairs over an adaption of its mesh.
+///
+/// Which pairs come after it only the next search tells. What goes on is the force of friction: a
+/// pair's is its slip times a stiffness that no mesh changes. It is laid to the cloth's vertices of
+/// the pair, in equal parts, as traction per mass; a vertex put in has the weighted mean of its
+/// parents' traction, one that stays has its own, and the mass that they have then makes it a force
+/// again, to be shared among the pairs found there. So the sum is kept as exactly as traction is
+/// even; what a vertex taken out carried comes back through the mass that its neighbours gain.
+///
+/// In this order: the constructor, inherit() for each vertex put in, renumber_world(), leave().
+class ContactLegacies {
+public:
+    /// Takes out of the memory all pairs with a vertex that changes.
+    ///
+    /// @param world       numbered, with masses, as before the adaption
+    /// @param first       first vertex of the cloth
+    /// @param is_changed  of the cloth's vertices before it: corner of a triangle that changes, or
+    ///                    taken out
+    ContactLegacies(World& world, Index first, std::span<const char> is_changed);
+
+    /// Vertices by the numbers that they had during the adaption, ascending.
+    void inherit(const VertexParents& place);
+
+    /// Puts legacies into the memory, which stays sorted.
+    ///
+    /// @param world   renumbered
+    /// @param former  of each vertex of the cloth: its number during the adaption
+    /// @param masses  of each vertex of the cloth, kg
+    void leave(World& world, std::span<const Index> former, std::span<const double> masses) const;
+
+private:
+    void take(const World& world, const ContactMemory& pair);
+    void
+    add(const World& world, Index vertex, Index partner, const ContactMemory& pair, double share);
+    void join_equal();
+    std::span<const ContactMemory> of(Index vertex) const;
+
+    Index first_, old_count_;
+    std::vector<Index> objects_; ///< first vertices, ascending, numbered as before
+    /// By pair {v, v, v, u}, ascending: v a vertex of the cloth by its number during the adaption,
+    /// u as before it; slip per mass, m/kg.
+    std::vector<ContactMemory> legacies_;
+};
+
+} // namespace weft
