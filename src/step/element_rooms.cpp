@@ -67,14 +67,19 @@ std::size_t ElementRooms::vertex_count() const {
     return objects_.empty() ? 0 : objects_.back().first + objects_.back().count;
 }
 
-std::size_t ElementRooms::site_of(Index vertex) const {
+std::size_t ElementRooms::object_of(Index vertex) const {
     const auto v = static_cast<std::size_t>(vertex);
     const auto after =
         std::upper_bound(objects_.begin(), objects_.end(), v,
                          [](std::size_t a, const Object& object) { return a < object.first; });
     const Object& object = *(after - 1);
     assert(v - object.first < object.count);
-    return object.begin + v - object.first;
+    return static_cast<std::size_t>(&object - objects_.data());
+}
+
+std::size_t ElementRooms::site_of(Index vertex) const {
+    const Object& object = objects_[object_of(vertex)];
+    return object.begin + static_cast<std::size_t>(vertex) - object.first;
 }
 
 } // namespace weft

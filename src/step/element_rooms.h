@@ -75,6 +75,9 @@ public:
 
     std::size_t site_of(Index vertex) const;
 
+    /// Number of the object that a vertex is of.
+    std::size_t object_of(Index vertex) const;
+
     /// Site of entry i of set.nodes, or k_no_index.
     Index site_of_node(const ElementSet& set, std::size_t i) const {
         return set.nodes[i] == k_no_index

@@ -104,6 +104,7 @@ private:
                   std::uint8_t needs);
 
     void assign_blocks(std::size_t site);
+    Index site_of(const ElementRooms& rooms, Index vertex);
     void touch(Index site, std::uint8_t needs);
     void change_nodes(const ElementRooms& rooms, const ElementSet& set, std::size_t s, Index slot);
     void remove_nodes(const ElementRooms& rooms, std::size_t s, std::size_t slot);
@@ -134,7 +135,9 @@ private:
     std::vector<Mark> mark_;           ///< by site
     std::uint32_t last_mark_ = 0;
 
-    std::vector<Index> now_; ///< sites of an element's nodes
+    // while an element changes
+    std::vector<Index> now_;      ///< sites of its nodes
+    std::size_t last_object_ = 0; ///< of a node
 };
 
 } // namespace weft
