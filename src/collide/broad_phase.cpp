@@ -34,6 +34,30 @@ bool stays_within(const Vec3& end, const Vec3& seen, double slack) {
            (end.array() <= seen.array().max(0.0) + slack).all();
 }
 
+/// Pairs of corners of two triangles: bit 3 i + j is that of the first one's i and the other's j.
+using CornerPairs = std::uint32_t;
+
+/// Pairs with one corner of the first triangle, and of the second.
+constexpr std::array<CornerPairs, 3> k_with_first{0b000'000'111, 0b000'111'000, 0b111'000'000};
+constexpr std::array<CornerPairs, 3> k_with_second{0b001'001'001, 0b010'010'010, 0b100'100'100};
+
+/// Those that are one vertex.
+CornerPairs same_corners(const ContactSurface& surface, const Triangle& a, const Triangle& b) {
+    CornerPairs same = 0;
+    const auto look = [&](const auto& are_one) {
+#pragma GCC unroll 9
+        for (std::size_t k = 0; k < 9; ++k) {
+            same |= CornerPairs{are_one(a[k / 3], b[k % 3])} << k;
+        }
+    };
+    if (surface.joined_begin.empty()) {
+        look([](Index v, Index w) { return v == w; });
+    } else {
+        look([&](Index v, Index w) { return surface.are_one(v, w); });
+    }
+    return same;
+}
+
 bool same_pose(const Pose& a, const Pose& b) {
     return a.rotation == b.rotation && a.translation == b.translation;
 }
@@ -55,8 +79,11 @@ BroadPhase::BroadPhase(const ContactSurface& surface, bool self) : self_(self) {
         reach_.push_back(0.5 * k_reach * thickness);
         slack_.push_back(object.is_obstacle ? 0.0 : k_slack * object.thickness);
     }
+    is_any_off_ = std::any_of(surface.rules.begin(), surface.rules.end(),
+                              [](const PairRule& rule) { return rule.is_off; });
     vertex_boxes_.resize(surface.start.size());
     triangle_boxes_.resize(surface.triangles.size());
+    side_boxes_.resize(surface.triangles.size());
     obstacles_.resize(surface.objects.size());
     fitted_motions_.resize(surface.objects.size());
     is_fitted_.assign(surface.objects.size(), 0);
@@ -119,6 +146,7 @@ void BroadPhase::gather(const ContactSurface& surface,
 void BroadPhase::remesh(const ContactSurface& surface, std::span<const Vec3> start) {
     vertex_boxes_.resize(surface.start.size());
     triangle_boxes_.resize(surface.triangles.size());
+    side_boxes_.resize(surface.triangles.size());
     fitted_motions_.assign(surface.objects.size(), {}); // their boxes stand elsewhere now
     std::fill(is_fitted_.begin(), is_fitted_.end(), 0);
     const std::size_t count = at(surface.deformable_triangles);
@@ -157,9 +185,13 @@ void BroadPhase::fit(const ContactSurface& surface,
         vertex_boxes_[i] = segment_box(from, to, reach_[object] + slack_[object]);
     });
     parallel_for(range.end_triangle - range.first_triangle, [&](std::size_t k) {
-        const Triangle& t = surface.triangles[range.first_triangle + k];
-        triangle_boxes_[range.first_triangle + k] =
-            unite(unite(vertex_boxes_[at(t[0])], vertex_boxes_[at(t[1])]), vertex_boxes_[at(t[2])]);
+        const std::size_t i = range.first_triangle + k;
+        const Triangle& t = surface.triangles[i];
+        const std::array<Box, 3> corners{vertex_boxes_[at(t[0])], vertex_boxes_[at(t[1])],
+                                         vertex_boxes_[at(t[2])]};
+        side_boxes_[i] = {unite(corners[1], corners[2]), unite(corners[2], corners[0]),
+                          unite(corners[0], corners[1])};
+        triangle_boxes_[i] = unite(side_boxes_[i][2], corners[2]);
     });
     const auto boxes =
         std::span(triangle_boxes_)
@@ -175,11 +207,12 @@ void BroadPhase::look_at(const ContactSurface& surface,
                          Index s,
                          Index t,
                          std::vector<Candidate>& out) const {
-    if (surface.is_off(s, t)) {
+    if (is_any_off_ && surface.is_off(s, t)) {
         return;
     }
     const Triangle& a = surface.triangles[at(s)];
     const Triangle& b = surface.triangles[at(t)];
+    const CornerPairs same = same_corners(surface, a, b);
     const auto add = [&](std::array<Index, 4> v, std::array<Index, 2> triangles, PairKind kind) {
         const bool movable =
             surface.inverse_mass[at(v[0])] > 0.0 || surface.inverse_mass[at(v[1])] > 0.0 ||
@@ -188,31 +221,28 @@ void BroadPhase::look_at(const ContactSurface& surface,
             out.push_back({v, triangles, surface.rule_of(v[0], v[3]), kind});
         }
     };
-    const auto look_at_corners = [&](const Triangle& p, Index p_index, const Triangle& q,
-                                     Index q_index) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (surface.owns_corner(p_index, k) && !surface.has_corner(q, p[k]) &&
-                overlap(vertex_boxes_[at(p[k])], triangle_boxes_[at(q_index)])) {
-                add({p[k], q[0], q[1], q[2]}, {q_index, q_index}, PairKind::VertexFace);
-            }
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (surface.owns_corner(s, k) && (same & k_with_first[k]) == 0 &&
+            overlap(vertex_boxes_[at(a[k])], triangle_boxes_[at(t)])) {
+            add({a[k], b[0], b[1], b[2]}, {t, t}, PairKind::VertexFace);
         }
-    };
-    look_at_corners(a, s, b, t);
-    look_at_corners(b, t, a, s);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (surface.owns_corner(t, k) && (same & k_with_second[k]) == 0 &&
+            overlap(vertex_boxes_[at(b[k])], triangle_boxes_[at(s)])) {
+            add({b[k], a[0], a[1], a[2]}, {s, s}, PairKind::VertexFace);
+        }
+    }
     for (std::size_t i = 0; i < 3; ++i) {
-        if (!surface.owns_side(s, i)) {
+        const Box& box = side_boxes_[at(s)][i];
+        if (!surface.owns_side(s, i) || !overlap(box, triangle_boxes_[at(t)])) {
             continue;
         }
-        const Index a0 = a[(i + 1) % 3];
-        const Index a1 = a[(i + 2) % 3];
-        const Box box = unite(vertex_boxes_[at(a0)], vertex_boxes_[at(a1)]);
         for (std::size_t j = 0; j < 3; ++j) {
-            const Index b0 = b[(j + 1) % 3];
-            const Index b1 = b[(j + 2) % 3];
-            if (surface.owns_side(t, j) && !surface.are_one(a0, b0) && !surface.are_one(a0, b1) &&
-                !surface.are_one(a1, b0) && !surface.are_one(a1, b1) &&
-                overlap(box, unite(vertex_boxes_[at(b0)], vertex_boxes_[at(b1)]))) {
-                add({a0, a1, b0, b1}, {s, t}, PairKind::EdgeEdge);
+            const CornerPairs others = same & ~k_with_first[i] & ~k_with_second[j];
+            if (surface.owns_side(t, j) && others == 0 && overlap(box, side_boxes_[at(t)][j])) {
+                add({a[(i + 1) % 3], a[(i + 2) % 3], b[(j + 1) % 3], b[(j + 2) % 3]}, {s, t},
+                    PairKind::EdgeEdge);
             }
         }
     }

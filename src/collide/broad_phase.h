@@ -54,6 +54,22 @@ public:
         }
     }
 
+    /// The same for each box of a tree: f(item of the tree, triangle of the surface).
+    template <typename F>
+    void for_each_near(const ContactSurface& surface, const BoxTree& boxes, const F& f) const {
+        const auto compare = [&](const BoxTree& tree, Index first) {
+            if (!tree.empty() && !boxes.empty()) {
+                BoxTree::overlaps(boxes, tree, {0, 0}, [&](Index i, Index t) { f(i, first + t); });
+            }
+        };
+        if (self_) {
+            compare(deformables_, 0);
+        }
+        for (std::size_t o = 0; o < obstacles_.size(); ++o) {
+            compare(obstacles_[o], surface.objects[o].first_triangle);
+        }
+    }
+
     /// True while the candidates of the last find() hold for the present velocities.
     bool covers(const ContactSurface& surface, double dt) const;
 
@@ -83,11 +99,13 @@ private:
     look_at(const ContactSurface& surface, Index s, Index t, std::vector<Candidate>& out) const;
 
     bool self_;
+    bool is_any_off_ = false;   ///< whether there are objects that do not touch
     std::vector<double> reach_; ///< of each object's boxes, m
     std::vector<double> slack_; ///< how far a vertex of each object may end aside, m
     std::vector<Box> vertex_boxes_, triangle_boxes_;
-    std::vector<Vec3> seen_velocity_;    ///< #V deformable, at the last find()
-    Vec3 frame_velocity_ = Vec3::Zero(); ///< mean of them
+    std::vector<std::array<Box, 3>> side_boxes_; ///< of each triangle, opposite to its corners
+    std::vector<Vec3> seen_velocity_;            ///< #V deformable, at the last find()
+    Vec3 frame_velocity_ = Vec3::Zero();         ///< mean of them
     BoxTree deformables_;
     std::vector<BoxTree> obstacles_; ///< one an object of the surface; empty for deformables
     std::vector<FittedMotion> fitted_motions_; ///< of each object's tree

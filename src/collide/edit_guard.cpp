@@ -99,12 +99,14 @@ bool EditGuard::is_clear_of_edits(Index object,
                                   const Box& box,
                                   const std::array<Index, 4>& vertices) const {
     return std::none_of(swept_.begin(), swept_.end(), [&](const Swept& swept) {
-        const bool neighbours =
-            swept.object == object && std::any_of(vertices.begin(), vertices.end(), [&](Index v) {
-                return std::find(swept.vertices.begin(), swept.vertices.end(), v) !=
-                       swept.vertices.end();
-            });
-        return !neighbours && overlap(box, swept.box);
+        const auto are_neighbours = [&] {
+            return swept.object == object &&
+                   std::any_of(vertices.begin(), vertices.end(), [&](Index v) {
+                       return std::find(swept.vertices.begin(), swept.vertices.end(), v) !=
+                              swept.vertices.end();
+                   });
+        };
+        return overlap(box, swept.box) && !are_neighbours();
     });
 }
 
@@ -135,21 +137,28 @@ bool EditGuard::crosses(Index object,
         named.push_back(name(cloth.triangles[at(t)], positions, changes, own.first_vertex));
         boxes.push_back(box_of(named.back().x, 0.0));
     }
-    const auto is_gone = [&](Index t) {
-        return t >= static_cast<Index>(cloth.triangles.size()) ||
-               std::binary_search(changes.triangles.begin(), changes.triangles.end(), t);
-    };
-    bool found = false;
-    for (std::size_t i = 0; i < named.size() && !found; ++i) {
-        broad_phase_.for_each_near(surface_, boxes[i], [&](Index other) {
-            const Triangle& t = surface_.triangles[at(other)];
-            const bool gone = surface_.object_of_vertex[at(t[0])] == object &&
-                              is_gone(other - own.first_triangle);
-            found = found || (!gone && cross(named[i], {t, places(t, ends_)}));
-        });
+    std::vector<char> is_gone(at(own.triangle_count), 0);
+    for (std::size_t t = cloth.triangles.size(); t < is_gone.size(); ++t) {
+        is_gone[t] = 1;
     }
-    if (!boxes.empty() && broad_phase_.looks_at_self()) {
-        const BoxTree tree(boxes);
+    for (const Index t : changes.triangles) {
+        if (t < own.triangle_count) {
+            is_gone[at(t)] = 1;
+        }
+    }
+    const BoxTree tree(boxes);
+    bool found = false;
+    broad_phase_.for_each_near(surface_, tree, [&](Index i, Index other) {
+        const Triangle& t = surface_.triangles[at(other)];
+        const Index of_own = other - own.first_triangle;
+        if (found || (of_own >= 0 && of_own < own.triangle_count && is_gone[at(of_own)] != 0)) {
+            return;
+        }
+        const Named still{t, places(t, ends_)};
+        // the tree's boxes hold its whole way, and more
+        found = overlap(boxes[at(i)], box_of(still.x, 0.0)) && cross(named[at(i)], still);
+    });
+    if (!tree.empty() && broad_phase_.looks_at_self()) {
         BoxTree::overlaps(tree, tree, {0, 0}, [&](Index i, Index j) {
             found = found || cross(named[at(i)], named[at(j)]);
         });

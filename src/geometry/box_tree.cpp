@@ -29,12 +29,19 @@ BoxTree::BoxTree(std::span<const Box> boxes) {
     items_.resize(boxes.size());
     std::iota(items_.begin(), items_.end(), 0);
     boxes_.resize(boxes.size());
+    leaf_boxes_.resize((boxes.size() + k_leaf_items - 1) / k_leaf_items);
     nodes_.reserve(boxes.size());
-    build(centres, 0, static_cast<Index>(boxes.size()));
+    std::vector<Key> keys;
+    keys.reserve(boxes.size());
+    build(centres, 0, static_cast<Index>(boxes.size()), keys);
     refit(boxes);
 }
 
-Index BoxTree::build(std::span<const Vec3> centres, Index begin, Index end) {
+/// @param keys room for what is compared of the items, side by side
+Index BoxTree::build(std::span<const Vec3> centres,
+                     Index begin,
+                     Index end,
+                     std::vector<Key>& keys) {
     const auto self = static_cast<Index>(nodes_.size());
     if (end - begin <= k_leaf_items) {
         nodes_.push_back({Box{}, -1 - begin, end - begin});
@@ -51,15 +58,17 @@ Index BoxTree::build(std::span<const Vec3> centres, Index begin, Index end) {
     // Whole leaves on the left, so that the tree is as small as it can be.
     const Index leaves = (end - begin + k_leaf_items - 1) / k_leaf_items;
     const Index middle = begin + (leaves + 1) / 2 * k_leaf_items;
-    std::nth_element(items_.begin() + begin, items_.begin() + middle, items_.begin() + end,
-                     [&](Index p, Index q) {
-                         const double x = centres[at(p)][axis];
-                         const double y = centres[at(q)][axis];
-                         return x != y ? x < y : p < q;
-                     });
+    keys.clear();
+    for (Index i = begin; i < end; ++i) {
+        keys.push_back({centres[at(items_[at(i)])][axis], items_[at(i)]});
+    }
+    std::nth_element(keys.begin(), keys.begin() + (middle - begin), keys.end());
+    for (Index i = begin; i < end; ++i) {
+        items_[at(i)] = keys[at(i - begin)].item;
+    }
     nodes_.push_back({Box{}, 0, 0});
-    build(centres, begin, middle);
-    const Index right = build(centres, middle, end);
+    build(centres, begin, middle, keys);
+    const Index right = build(centres, middle, end, keys);
     nodes_[at(self)].right = right;
     return self;
 }
@@ -84,6 +93,7 @@ void BoxTree::fit_leaves(std::span<const Box> boxes) {
         n.box = Box{};
         for (Index slot = n.first(); slot < n.first() + n.count; ++slot) {
             boxes_[at(slot)] = boxes[at(items_[at(slot)])];
+            leaf_boxes_[at(slot / k_leaf_items)].set(at(slot % k_leaf_items), boxes_[at(slot)]);
             n.box = unite(n.box, boxes_[at(slot)]);
         }
     });

@@ -2,6 +2,7 @@
 
 #include "geometry/box.h"
 
+#include <bit>
 #include <span>
 #include <utility>
 #include <vector>
@@ -13,7 +14,7 @@ namespace weft {
 class BoxTree {
 public:
     /// Items a leaf holds at most. Smaller: more nodes to walk; larger: more pairs to test.
-    static constexpr Index k_leaf_items = 4;
+    static constexpr Index k_leaf_items = 4; // of FourBoxes
 
     BoxTree() = default;
 
@@ -57,10 +58,22 @@ private:
         Index first() const { return -1 - right; }
     };
 
+    /// Where an item's centre stands along the axis that is split; of two alike the first item.
+    struct Key {
+        double place;
+        Index item;
+        bool operator<(const Key& other) const {
+            return place != other.place ? place < other.place : item < other.item;
+        }
+    };
+
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     const Node& node(Index i) const { return nodes_[at(i)]; }
+    const FourBoxes& boxes_of(const Node& leaf) const {
+        return leaf_boxes_[at(leaf.first() / k_leaf_items)];
+    }
     double size_of(Index i) const;
-    Index build(std::span<const Vec3> centres, Index begin, Index end);
+    Index build(std::span<const Vec3> centres, Index begin, Index end, std::vector<Key>& keys);
     void fit_leaves(std::span<const Box> boxes);
 
     template <typename F>
@@ -70,8 +83,9 @@ private:
     static void expand(const BoxTree& a, const BoxTree& b, Task task, const G& push);
 
     std::vector<Node> nodes_;
-    std::vector<Index> items_; ///< in leaf order
-    std::vector<Box> boxes_;   ///< of items_[slot]
+    std::vector<Index> items_;          ///< in leaf order
+    std::vector<Box> boxes_;            ///< of items_[slot]
+    std::vector<FourBoxes> leaf_boxes_; ///< the same, by first slot / k_leaf_items
 };
 
 template <typename F> void BoxTree::query(const Box& box, const F& f) const {
@@ -92,10 +106,8 @@ template <typename F> void BoxTree::query(const Box& box, const F& f) const {
             stack[top++] = i + 1;
             continue;
         }
-        for (Index slot = n.first(); slot < n.first() + n.count; ++slot) {
-            if (overlap(boxes_[at(slot)], box)) {
-                f(items_[at(slot)]);
-            }
+        for (unsigned meets = overlaps_of(boxes_of(n), box); meets != 0; meets &= meets - 1) {
+            f(items_[at(n.first() + std::countr_zero(meets))]);
         }
     }
 }
@@ -133,10 +145,12 @@ void BoxTree::leaf_overlaps(
     const BoxTree& a, const BoxTree& b, const Node& left, const Node& right, const F& f) {
     const bool same = &left == &right;
     for (Index i = left.first(); i < left.first() + left.count; ++i) {
-        for (Index j = same ? i + 1 : right.first(); j < right.first() + right.count; ++j) {
-            if (overlap(a.boxes_[at(i)], b.boxes_[at(j)])) {
-                f(a.items_[at(i)], b.items_[at(j)]);
-            }
+        unsigned meets = overlaps_of(b.boxes_of(right), a.boxes_[at(i)]);
+        if (same) {
+            meets &= ~0U << (i - left.first() + 1); // those after it
+        }
+        for (; meets != 0; meets &= meets - 1) {
+            f(a.items_[at(i)], b.items_[at(right.first() + std::countr_zero(meets))]);
         }
     }
 }
