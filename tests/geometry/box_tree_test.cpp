@@ -63,6 +63,41 @@ TEST(Box, HoldsThePointsItWasMadeOfDespiteSinglePrecision) {
     EXPECT_LT(float_below(0.0), 0.0F);
 }
 
+TEST(Box, OverlapsWhereItDoesOnEachAxis) {
+    std::mt19937 engine(5);
+    std::uniform_int_distribution<int> place(0, 4); // few, so that boxes touch, too
+    std::vector<Box> boxes(4);
+    int seen = 0;
+    for (int round = 0; round < 2000; ++round) {
+        FourBoxes four;
+        for (std::size_t i = 0; i < 4; ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                boxes[i].low[k] = static_cast<float>(place(engine));
+                boxes[i].high[k] = boxes[i].low[k] + static_cast<float>(place(engine)) / 2.0F;
+            }
+            if (i < 3) { // the last of the four stays empty
+                four.set(i, boxes[i]);
+            }
+        }
+        const Box& other = boxes[3];
+        unsigned expected = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            bool meets = true;
+            for (std::size_t k = 0; k < 3; ++k) {
+                meets =
+                    meets && boxes[i].low[k] <= other.high[k] && other.low[k] <= boxes[i].high[k];
+            }
+            EXPECT_EQ(overlap(boxes[i], other), meets);
+            EXPECT_EQ(overlap(other, boxes[i]), meets);
+            expected |= (meets ? 1U : 0U) << i;
+            seen += meets ? 1 : 0;
+        }
+        EXPECT_EQ(overlaps_of(four, other), expected);
+    }
+    EXPECT_GT(seen, 100);
+    EXPECT_FALSE(overlap(Box{}, boxes[0]));
+}
+
 TEST(BoxTree, FindsThePairsThatBruteForceFinds) {
     for (const std::size_t count : {1UL, 4UL, 5UL, 13UL, 700UL}) {
         const std::vector<Box> a = random_boxes(count, 1);
