@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <numeric>
 
 namespace weft {
 
@@ -154,8 +153,7 @@ AffineMotion reference_motion(const ContactSurface& surface, const Cut& cut, dou
 } // namespace
 
 void Islands::reset(std::size_t vertex_count) {
-    parent_.resize(vertex_count);
-    std::iota(parent_.begin(), parent_.end(), 0);
+    sets_.reset(vertex_count);
 }
 
 void Islands::reset(const ContactSurface& surface) {
@@ -164,7 +162,7 @@ void Islands::reset(const ContactSurface& surface) {
         const auto join_all = [&](Index first, Index count) {
             for (Index v = first; v < first + count; ++v) {
                 if (surface.inverse_mass[at(v)] > 0.0) {
-                    parent_[at(v)] = body.first_vertex;
+                    sets_.join(v, body.first_vertex);
                 }
             }
         };
@@ -174,28 +172,20 @@ void Islands::reset(const ContactSurface& surface) {
 }
 
 void Islands::join(const ContactSurface& surface, const std::array<Index, 4>& vertices) {
-    Index root = k_no_index;
+    Index first = k_no_index;
     for (const Index v : vertices) {
         if (surface.inverse_mass[at(v)] == 0.0) {
             continue;
         }
-        const Index other = of(v);
-        if (root == k_no_index) {
-            root = other;
-        } else {
-            const Index low = std::min(root, other);
-            parent_[at(std::max(root, other))] = low;
-            root = low;
+        if (first == k_no_index) {
+            first = v;
         }
-        parent_[at(v)] = root;
+        sets_.join(first, v);
     }
 }
 
 Index Islands::of(Index vertex) const {
-    while (parent_[at(vertex)] != vertex) {
-        vertex = parent_[at(vertex)];
-    }
-    return vertex;
+    return sets_.find(vertex);
 }
 
 int cut_back(ContactSurface& surface,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/disjoint_sets.h"
 #include "collide/impact.h"
 
 namespace weft {
@@ -20,7 +21,7 @@ public:
     Index of(Index vertex) const;
 
 private:
-    std::vector<Index> parent_;
+    DisjointSets sets_;
 };
 
 /// The last resort: cuts back the motion of every island that still has an impact, relative to a
