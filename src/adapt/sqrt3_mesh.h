@@ -64,6 +64,9 @@ public:
     /// Fills gaps, sets rest areas, ends the adaption. Debug builds check the whole mesh.
     ClothChanges finish();
 
+    /// The triangles around each vertex.
+    const VertexStars& stars() const { return stars_; }
+
 private:
     EditedMesh mesh() { return {cloth_->triangles, cloth_->topology}; }
     const Triangle& corners(Index t) const;

@@ -1,10 +1,10 @@
 #include "adapt/state_transfer.h"
 
 #include "adapt/renumber_world.h"
+#include "base/disjoint_sets.h"
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
 
 namespace weft {
 
@@ -18,29 +18,6 @@ constexpr int k_patch_steps = 8;
 std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
 }
-
-/// Sets of vertices, joined one by one.
-class DisjointSets {
-public:
-    explicit DisjointSets(std::size_t count) : parents_(count) {
-        std::iota(parents_.begin(), parents_.end(), 0);
-    }
-    Index find(Index v) {
-        while (parents_[at(v)] != v) {
-            parents_[at(v)] = parents_[at(parents_[at(v)])];
-            v = parents_[at(v)];
-        }
-        return v;
-    }
-    void join(Index a, Index b) {
-        a = find(a);
-        b = find(b);
-        parents_[at(std::max(a, b))] = std::min(a, b);
-    }
-
-private:
-    std::vector<Index> parents_;
-};
 
 /// The triangles given and those around them, the order of no meaning.
 std::vector<Index> grow(const Cloth& cloth, std::vector<Index> triangles) {
@@ -87,6 +64,25 @@ StateTransfer::StateTransfer(const World& world, const Cloth& cloth)
             states_[at(v)].pin = pin;
         }
     }
+    find_held(world, cloth);
+}
+
+void StateTransfer::find_held(const World& world, const Cloth& cloth) {
+    const auto hold = [&](Index vertex) {
+        const Index v = vertex - cloth.first_vertex;
+        if (v >= 0 && v < cloth.vertex_count) {
+            states_[at(v)].is_held = true;
+        }
+    };
+    for (const Pin& pin : world.pins) {
+        hold(pin.vertex);
+    }
+    for (const AttachedPair& pair : world.attached_pairs) {
+        std::for_each(pair.vertices.begin(), pair.vertices.end(), hold);
+    }
+    for (const ContactMemory& memory : world.contact_memory) {
+        std::for_each(memory.pair.begin(), memory.pair.end(), hold);
+    }
 }
 
 void StateTransfer::insert(const VertexParents& place) {
@@ -102,6 +98,9 @@ void StateTransfer::insert(const VertexParents& place) {
         }
         state.*value = mean;
     }
+    state.is_held = std::all_of(place.parents.begin(), place.parents.end(), [&](Index parent) {
+        return parent == k_no_index || states_[at(parent)].is_held;
+    });
     state.pin = common_pin(place);
     if (state.pin) {
         state.pin->start = state.start;
@@ -137,6 +136,16 @@ void StateTransfer::remove(const VertexParents& place) {
 
 void StateTransfer::move(Index from, Index to) {
     states_[at(to)] = std::move(states_[at(from)]);
+}
+
+void StateTransfer::shift(Index v, const Vec3& x) {
+    VertexState& state = states_[at(v)];
+    const Vec3 way = x - state.x;
+    // What it has by where it was, less what it will be taken to have had by where it is now.
+    state.left.angular -= state.mass * way.cross(state.v);
+    state.left_change.angular -= state.mass * way.cross(state.v - state.previous_v);
+    state.x = x;
+    state.previous_x += way;
 }
 
 std::vector<Vec3> StateTransfer::positions(const Cloth& cloth) const {

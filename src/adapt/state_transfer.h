@@ -30,6 +30,19 @@ public:
     /// Positions as the mesh stands now, by slot, m.
     const Vec3& position(Index v) const { return states_[static_cast<std::size_t>(v)].x; }
 
+    /// Whether nothing holds a vertex where it is: no pin, no attached pair, no contact.
+    bool is_free(Index v) const { return !states_[static_cast<std::size_t>(v)].is_held; }
+
+    /// Shifts a vertex of the cloth as the adaption left it, and where it comes from with it, so
+    /// that it moves as before.
+    void shift(Index v, const Vec3& x);
+
+    /// The adaption gave the cloth this much energy (J) around a vertex: what it moves by is to
+    /// lose as much, as far as restore_momentum() takes it.
+    void charge(Index v, double energy) {
+        states_[static_cast<std::size_t>(v)].left.kinetic -= energy;
+    }
+
     /// All of them, of the cloth as the adaption left it.
     std::vector<Vec3> positions(const Cloth& cloth) const;
 
@@ -44,8 +57,11 @@ private:
         PatchMomentum left;        ///< by vertices that were taken out
         PatchMomentum left_change; ///< the same of what the last substep changed of their velocity
         std::optional<Pin> pin;
-        Index former = 0; ///< slot until finish
+        Index former = 0;     ///< slot until finish
+        bool is_held = false; ///< by a pin, an attached pair or contact
     };
+
+    void find_held(const World& world, const Cloth& cloth);
 
     std::optional<Pin> common_pin(const VertexParents& place) const;
     void set_masses(const Cloth& cloth, const ClothChanges& changes);

@@ -8,7 +8,7 @@
 #include "frames/acceptance.h"
 #include "frames/status.h"
 #include "scene/scene_writer.h"
-#include "step/adapt_world.h"
+#include "step/make_adaptive.h"
 #include "step/start_overlap.h"
 
 #include <CLI/CLI.hpp>

@@ -79,11 +79,72 @@ template <typename F> void for_each_entry(int n, std::span<const double> q, cons
     }
 }
 
+int nodes_of(BendModel model) {
+    return model == BendModel::Quadratic ? 4 : 6;
+}
+
+void set_element_of(const Cloth& cloth,
+                    Index slot,
+                    std::span<Index> nodes,
+                    std::span<double> stiffness) {
+    switch (cloth.params.bend_model) {
+    case BendModel::Quadratic:
+        set_hinge(cloth, cloth.topology.edges[at(slot)], nodes, stiffness);
+        break;
+    case BendModel::MidEdge:
+        set_patch(cloth, slot, nodes, stiffness);
+        break;
+    }
+}
+
 } // namespace
 
+std::size_t bend_slots(const Cloth& cloth) {
+    return cloth.params.fabric.bend_stiffness <= 0.0         ? 0
+           : cloth.params.bend_model == BendModel::Quadratic ? cloth.topology.edges.size()
+                                                             : cloth.triangles.size();
+}
+
+std::vector<Index> changed_bends(const Cloth& cloth, const ClothChanges& changes) {
+    if (cloth.params.fabric.bend_stiffness <= 0.0) {
+        return {};
+    }
+    return cloth.params.bend_model == BendModel::Quadratic ? changed_hinges(cloth, changes)
+                                                           : changed_patches(cloth, changes);
+}
+
+BendElement bend_element(const Cloth& cloth, Index slot) {
+    BendElement element;
+    if (cloth.params.fabric.bend_stiffness > 0.0) {
+        element.count = nodes_of(cloth.params.bend_model);
+        set_element_of(cloth, slot, {element.nodes.data(), static_cast<std::size_t>(element.count)},
+                       {element.stiffness.data(), at(block_count(element.count))});
+    }
+    return element;
+}
+
+Vec3 BendElement::gradient(int a, std::span<const Vec3> x) const {
+    Vec3 sum = Vec3::Zero();
+    for (int b = 1; b < count; ++b) {
+        if (has(b)) {
+            sum += q(a, b) * (x[at(node(b))] - x[at(node(0))]); // see ConstantBending::forces
+        }
+    }
+    return sum;
+}
+
+double BendElement::energy(std::span<const Vec3> x) const {
+    double twice = 0.0;
+    for (int a = 1; a < count; ++a) {
+        if (has(a)) {
+            twice += gradient(a, x).dot(x[at(node(a))] - x[at(node(0))]);
+        }
+    }
+    return 0.5 * twice;
+}
+
 ConstantBending::ConstantBending(const Cloth& cloth)
-    : model_(cloth.params.bend_model), is_stiff_(cloth.params.fabric.bend_stiffness > 0.0),
-      nodes_per_element_(model_ == BendModel::Quadratic ? 4 : 6) {
+    : nodes_per_element_(nodes_of(cloth.params.bend_model)) {
     assert(cloth.rest.size() == cloth.triangles.size());
     resize(cloth);
     for (std::size_t e = 0; e < size(); ++e) {
@@ -92,12 +153,8 @@ ConstantBending::ConstantBending(const Cloth& cloth)
 }
 
 std::vector<Index> ConstantBending::update(const Cloth& cloth, const ClothChanges& changes) {
-    if (!is_stiff_) {
-        return {};
-    }
     resize(cloth);
-    std::vector<Index> slots = model_ == BendModel::Quadratic ? changed_hinges(cloth, changes)
-                                                              : changed_patches(cloth, changes);
+    std::vector<Index> slots = changed_bends(cloth, changes);
     for (const Index slot : slots) {
         set_element(cloth, slot);
     }
@@ -105,9 +162,7 @@ std::vector<Index> ConstantBending::update(const Cloth& cloth, const ClothChange
 }
 
 void ConstantBending::resize(const Cloth& cloth) {
-    const std::size_t elements = !is_stiff_                       ? 0
-                                 : model_ == BendModel::Quadratic ? cloth.topology.edges.size()
-                                                                  : cloth.triangles.size();
+    const std::size_t elements = bend_slots(cloth);
     nodes_.resize(elements * static_cast<std::size_t>(nodes_per_element_));
     stiffness_.resize(elements * static_cast<std::size_t>(block_count(nodes_per_element_)));
 }
@@ -117,14 +172,7 @@ void ConstantBending::set_element(const Cloth& cloth, Index slot) {
     const auto entries = static_cast<std::size_t>(block_count(nodes_per_element_));
     const std::span<Index> nodes(&nodes_[at(slot) * count], count);
     const std::span<double> stiffness(&stiffness_[at(slot) * entries], entries);
-    switch (model_) {
-    case BendModel::Quadratic:
-        set_hinge(cloth, cloth.topology.edges[at(slot)], nodes, stiffness);
-        break;
-    case BendModel::MidEdge:
-        set_patch(cloth, slot, nodes, stiffness);
-        break;
-    }
+    set_element_of(cloth, slot, nodes, stiffness);
 }
 
 void ConstantBending::forces(std::span<const Vec3> x, std::span<Vec3> element_forces) const {

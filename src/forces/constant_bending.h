@@ -4,10 +4,43 @@
 #include "state/cloth.h"
 #include "state/cloth_changes.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
 namespace weft {
+
+/// One stencil of a cloth's bending. Rows of its matrix sum to zero.
+struct BendElement {
+    int count = 0;                      ///< of nodes: 4 or 6
+    std::array<Index, 6> nodes{};       ///< the first `count`; k_no_index: none there
+    std::array<double, 21> stiffness{}; ///< block_count(count) of Q, upper triangle, N/m
+
+    /// No element: the cloth does not bend there.
+    bool empty() const { return count == 0 || nodes[0] == k_no_index; }
+    Index node(int a) const { return nodes[static_cast<std::size_t>(a)]; }
+    bool has(int a) const { return node(a) != k_no_index; }
+    double q(int a, int b) const {
+        return stiffness[block_index(count, std::min(a, b), std::max(a, b))];
+    }
+
+    /// Derivative of the energy by the position of node a, N.
+    /// @param x  #V of the cloth, m
+    Vec3 gradient(int a, std::span<const Vec3> x) const;
+
+    /// 1/2 sum Q_ab x_a.x_b, J.
+    double energy(std::span<const Vec3> x) const;
+};
+
+/// How many slots of elements a cloth has: edges of BendModel::Quadratic, triangles of
+/// BendModel::MidEdge, none when it does not bend.
+std::size_t bend_slots(const Cloth& cloth);
+
+/// Slots whose element an adaption changed, as the cloth is now.
+std::vector<Index> changed_bends(const Cloth& cloth, const ClothChanges& changes);
+
+/// The element in a slot.
+BendElement bend_element(const Cloth& cloth, Index slot);
 
 /// Bending of a whole cloth with a constant matrix: energy 1/2 sum Q_ab x_a.x_b over stencils,
 /// force -Q x, stiffness Q times the 3×3 identity; see forces/bending.h. Since Q never changes it
@@ -43,8 +76,6 @@ private:
     void resize(const Cloth& cloth);
     void set_element(const Cloth& cloth, Index slot);
 
-    BendModel model_;
-    bool is_stiff_;
     int nodes_per_element_;
     std::vector<Index> nodes_;
     std::vector<double> stiffness_;

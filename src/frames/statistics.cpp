@@ -25,7 +25,7 @@ constexpr std::string_view k_header =
     "max_speed_m_s,state_hash,impacts,impact_zones,scaled_islands,"
     "substeps_impacts,substeps_zones,substeps_scaled,attached_pairs,welded_pairs,attached_gap_m,"
     "level_0,level_1,level_2,level_3,level_4,level_5,level_6,level_7,level_8,"
-    "volume_m3,inverted_cells,least_angle_deg";
+    "volume_m3,inverted_cells,least_angle_deg,adaption_J";
 
 /// A triangle's stretch and its share of the whole.
 struct Weighted {
@@ -100,7 +100,7 @@ std::string statistics_row(const FrameStatistics& s) {
     for (const std::size_t triangles : s.levels) {
         row << triangles;
     }
-    row << s.volume << s.inverted_cells << s.least_angle_deg;
+    row << s.volume << s.inverted_cells << s.least_angle_deg << s.report.adaption_energy;
     return row.text();
 }
 

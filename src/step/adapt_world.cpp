@@ -2,14 +2,11 @@
 
 #include "adapt/adaption_plan.h"
 #include "adapt/coarseness.h"
-#include "adapt/make_refinement.h"
 #include "adapt/state_transfer.h"
-#include "geometry/dihedral.h"
+#include "step/absorb_gain.h"
+#include "step/edit_rules.h"
 
 #include <algorithm>
-#include <cassert>
-#include <cmath>
-#include <numbers>
 
 namespace weft {
 
@@ -17,48 +14,6 @@ namespace {
 
 std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
-}
-
-/// An inner edge of an imported shape that turns by more than this is a crease, rad. A flip across
-/// it would put a stretched triangle over a fold that is meant to be there; smaller keeps edges of
-/// round garments (a tube of six sides turns by 60 degrees) from flipping, which they should.
-constexpr double k_crease = 65.0 * std::numbers::pi / 180.0;
-
-/// A flip across a deeper fold (rad) waits until it is shallower: the rest shape is flat, and the
-/// new triangles would be shorter across the fold than they rest, and stretched along it, by a few
-/// percent at this angle and by half in slivers at a right angle.
-constexpr double k_deep_fold = 20.0 * std::numbers::pi / 180.0;
-
-/// Where cloth rests as imported, its creases are part of its shape.
-void lock_creases(const World& world, Cloth& cloth) {
-    if (cloth.params.rest != RestShape::Mesh) {
-        return;
-    }
-    const auto x = world.positions_of(cloth);
-    for (std::size_t e = 0; e < cloth.topology.edges.size(); ++e) {
-        const MeshEdge& edge = cloth.topology.edges[e];
-        if (!edge.is_boundary() &&
-            std::abs(dihedral_angle(x[at(edge.v[0])], x[at(edge.v[1])], x[at(edge.apex[0])],
-                                    x[at(edge.apex[1])])) > k_crease) {
-            cloth.refinement.locked[e] = 1;
-        }
-    }
-}
-
-void freeze_attached(World& world, Cloth& cloth) {
-    std::vector<char> attached(at(cloth.vertex_count), 0);
-    for (const AttachedPair& pair : world.attached_pairs) {
-        for (const Index v : pair.vertices) {
-            if (v >= cloth.first_vertex && v < cloth.first_vertex + cloth.vertex_count) {
-                attached[at(v - cloth.first_vertex)] = 1;
-            }
-        }
-    }
-    for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
-        for (const Index v : cloth.triangles[t]) {
-            cloth.refinement.frozen[t] |= static_cast<std::uint8_t>(attached[at(v)]);
-        }
-    }
 }
 
 /// The hooks by which the transfer of state takes part in the edits of a cloth.
@@ -76,50 +31,68 @@ AdaptionHooks make_hooks(StateTransfer& transfer, AdaptionReport& report) {
     return hooks;
 }
 
-/// Are the folds across the edge that a flip takes away and across the one that it puts in shallow?
-/// The second is the deeper one where a flip is taken back: to the long edge of flat triangles.
-bool is_shallow(const StateTransfer& transfer, const EdgeFlip& flip) {
-    const Vec3& a = transfer.position(flip.edge[0]);
-    const Vec3& b = transfer.position(flip.edge[1]);
-    const Vec3& p = transfer.position(flip.apex[0]);
-    const Vec3& q = transfer.position(flip.apex[1]);
-    return std::abs(dihedral_angle(a, b, p, q)) < k_deep_fold &&
-           std::abs(dihedral_angle(p, q, b, a)) < k_deep_fold;
-}
+/// A vertex is shifted by so many contact thicknesses at most to let a gain of energy go.
+constexpr double k_farthest_shift = 1.0;
 
-/// Of what moves the surface, lets only that be done that stretches no cloth and, where contact is
-/// on, that it has room for.
-void add_guard(AdaptionHooks& hooks,
-               const StateTransfer& transfer,
-               EditGuard* guard,
-               std::size_t cloth) {
-    const auto may_sweep = [&transfer, guard, cloth](const std::array<Index, 4>& v) {
-        return guard == nullptr ||
-               guard->may_sweep(static_cast<Index>(cloth),
-                                {transfer.position(v[0]), transfer.position(v[1]),
-                                 transfer.position(v[2]), transfer.position(v[3])},
-                                v);
-    };
-    const auto may_flip = [may_sweep, &transfer](const EdgeFlip& flip) {
-        return is_shallow(transfer, flip) &&
-               may_sweep({flip.edge[0], flip.edge[1], flip.apex[0], flip.apex[1]});
-    };
-    hooks.may_flip = may_flip;
-    hooks.may_remove = [may_flip, may_sweep](const Removal& removal) {
-        bool may = std::all_of(removal.flips.begin(), removal.flips.end(), may_flip);
-        for (const VertexParents& gone : removal.vertices) {
-            for (const Triangle& left : removal.merged) {
-                may = may && may_sweep({gone.vertex, left[0], left[1], left[2]});
-            }
+/// What an adaption did to the energy of a cloth's surface, and what then moved.
+struct Absorbed {
+    double energy = 0.0;          ///< change of elastic and gravity energy that is left, J
+    std::vector<Index> vertices;  ///< shifted
+    std::vector<Index> triangles; ///< around them, in no order
+};
+
+/// Lets a cloth give way to what an adaption did to it, where that gave it energy; what is left is
+/// taken off its motion.
+Absorbed absorb_gains(const PlacedCloth& before,
+                      const Cloth& cloth,
+                      const Sqrt3Mesh& mesh,
+                      const ClothChanges& changes,
+                      const Vec3& gravity,
+                      bool may_yield,
+                      StateTransfer& transfer) {
+    std::vector<Vec3> x = transfer.positions(cloth);
+    std::vector<char> may_move;
+    for (Index v = 0; v < cloth.vertex_count; ++v) {
+        may_move.push_back(static_cast<char>(may_yield && transfer.is_free(v)));
+    }
+    BendElements bends(cloth);
+    const YieldingCloth yielding{cloth,    mesh.stars(),
+                                 bends,    gravity,
+                                 may_move, k_farthest_shift * cloth.params.fabric.thickness,
+                                 x};
+    Absorbed absorbed;
+    for (const ChangedPatch& patch : find_changed_patches(before, {cloth, x}, changes, gravity)) {
+        double left = patch.gain;
+        if (left > 0.0) {
+            left = absorb_gain(yielding, patch, absorbed.vertices);
+            transfer.charge(patch.vertices[0].vertex, std::max(0.0, left));
         }
-        return may;
-    };
+        absorbed.energy += left;
+    }
+    std::vector<Index> star;
+    for (const Index v : absorbed.vertices) {
+        transfer.shift(v, x[at(v)]);
+        mesh.stars().triangles_of(v, star);
+        absorbed.triangles.insert(absorbed.triangles.end(), star.begin(), star.end());
+    }
+    return absorbed;
 }
 
-/// Lets nothing be done that moves the surface.
-void forbid_moves(AdaptionHooks& hooks) {
-    hooks.may_flip = [](const EdgeFlip&) { return false; };
-    hooks.may_remove = [](const Removal&) { return false; };
+double kinetic_energy(const World& world, const Cloth& cloth) {
+    double twice = 0.0;
+    for (Index v = cloth.first_vertex; v < cloth.first_vertex + cloth.vertex_count; ++v) {
+        twice += world.masses[at(v)] * world.velocities[at(v)].squaredNorm();
+    }
+    return 0.5 * twice;
+}
+
+/// Changes, and more triangles for whom they are to be looked at.
+ClothChanges with_triangles(ClothChanges changes, const std::vector<Index>& more) {
+    std::vector<Index>& all = changes.triangles;
+    all.insert(all.end(), more.begin(), more.end());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return changes;
 }
 
 /// Too near for any triangle to be cut.
@@ -152,42 +125,16 @@ bool carry_out(const AdaptionPlan& plan, Sqrt3Mesh& mesh, Cloth& cloth, Adaption
 
 } // namespace
 
-void make_adaptive(World& world) {
-    for (Cloth& cloth : world.cloths) {
-        if (cloth.params.adapt.levels > 0 && cloth.refinement.empty()) {
-            make_refinement(cloth);
-            const auto x = world.positions_of(cloth);
-            cloth.refinement.start.assign(x.begin(), x.end());
-            lock_creases(world, cloth);
-            freeze_attached(world, cloth);
-        }
-    }
+AdaptionReport& AdaptionReport::operator+=(const AdaptionReport& other) {
+    refined += other.refined;
+    coarsened += other.coarsened;
+    energy += other.energy;
+    changed = changed || other.changed;
+    return *this;
 }
 
-StartPositions::StartPositions(const World& start) {
-    auto next = start.positions.begin();
-    for (const Cloth& cloth : start.cloths) {
-        const auto end = next + cloth.vertex_count;
-        cloths_.emplace_back(next, cloth.refinement.empty() ? end : next);
-        next = end;
-    }
-    bodies_.assign(next, start.positions.end());
-}
-
-std::vector<Vec3> StartPositions::of(const World& world) const {
-    std::vector<Vec3> start;
-    start.reserve(world.vertex_count());
-    for (std::size_t c = 0; c < cloths_.size(); ++c) {
-        const Refinement& refinement = world.cloths[c].refinement;
-        const std::vector<Vec3>& own = refinement.empty() ? cloths_[c] : refinement.start;
-        start.insert(start.end(), own.begin(), own.end());
-    }
-    start.insert(start.end(), bodies_.begin(), bodies_.end());
-    assert(start.size() == world.vertex_count());
-    return start;
-}
-
-WorldAdaption::WorldAdaption(const World& world) : obstacles_(world) {
+WorldAdaption::WorldAdaption(const World& world, const Vec3& gravity)
+    : obstacles_(world), gravity_(gravity) {
     reset(world);
 }
 
@@ -247,18 +194,23 @@ bool WorldAdaption::adapt_cloth(World& world,
         }
         const bool suffices = carry_out(plan, *meshes_[index], cloth, std::move(hooks));
         changes = meshes_[index]->finish();
+        const Absorbed absorbed =
+            absorb_gains({before, world.positions_of(before)}, cloth, *meshes_[index], changes,
+                         gravity_, may_move, transfer);
         if (may_move && guard != nullptr &&
-            guard->crosses(static_cast<Index>(index), cloth, transfer.positions(cloth), changes)) {
+            guard->crosses(static_cast<Index>(index), cloth, transfer.positions(cloth),
+                           with_triangles(changes, absorbed.triangles))) {
             cloth = before; // edits side by side got into each other's way
             meshes_[index] = std::make_unique<Sqrt3Mesh>(cloth);
             continue;
         }
         cloth.refinement.tolerance = next_tolerance(cloth.refinement.tolerance, !suffices);
         if (!changes.empty()) {
+            done.energy = absorbed.energy - kinetic_energy(world, before);
             transfer.finish(world, index, changes);
+            done.energy += kinetic_energy(world, cloth);
         }
-        report.refined += done.refined;
-        report.coarsened += done.coarsened;
+        report += done;
         break;
     }
     return !changes.empty();

@@ -10,6 +10,7 @@
 #include "step/implicit_step.h"
 #include "step/recover.h"
 #include "step/snapshot.h"
+#include "step/start_positions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,7 +103,8 @@ bool moves_too_far(const World& world, std::span<const Vec3> end_positions) {
 struct Stepper::Impl {
     Impl(const World& world, const SceneParams& scene, const ContactParams& contact)
         : scene(scene), implicit(std::in_place, world, scene), solver(world, contact),
-          adaption(world), start(world), contact_params(contact), adaptions(adaptions_of(world)) {}
+          adaption(world, scene.gravity), start(world), contact_params(contact),
+          adaptions(adaptions_of(world)) {}
 
     bool substep(World& world, double dt, bool may_yield, FrameReport& report);
     void find_average_velocities(const World& world, double dt);
@@ -173,6 +175,7 @@ void Stepper::Impl::adapt(World& world, double time, FrameReport& report) {
     adaptions = adaptions_of(world);
     report.refined += done.refined;
     report.coarsened += done.coarsened;
+    report.adaption_energy += done.energy;
     if (!done.changed) {
         return;
     }

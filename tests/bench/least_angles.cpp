@@ -4,7 +4,7 @@
 
 #include "adapt/least_rest_angle.h"
 #include "scene/scene_reader.h"
-#include "step/adapt_world.h"
+#include "step/make_adaptive.h"
 
 #include <fmt/core.h>
 

@@ -1,5 +1,5 @@
 #include "frames/mesh_state.h"
-#include "step/adapt_world.h"
+#include "step/make_adaptive.h"
 #include "support/adapting_world.h"
 #include "support/grid_world.h"
 

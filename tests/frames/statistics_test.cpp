@@ -32,6 +32,7 @@ TEST(Statistics, PutEachNumberUnderItsName) {
     statistics.strain = {0.9, 1.0, 1.1, 1.2, 7.5};
     statistics.motion = {1.0, 2.0, 3.0, 4.0, Vec3(5.0, 6.0, 7.0), 8.0};
     statistics.least_angle_deg = 18.4;
+    statistics.report.adaption_energy = -0.25;
     statistics.state_hash = 0xab;
 
     const CsvTable table = table_of(statistics);
@@ -52,6 +53,7 @@ TEST(Statistics, PutEachNumberUnderItsName) {
     EXPECT_EQ(value("gravity_J"), 4.0);
     EXPECT_EQ(value("com_z_m"), 7.0);
     EXPECT_EQ(value("least_angle_deg"), 18.4);
+    EXPECT_EQ(value("adaption_J"), -0.25);
     EXPECT_EQ(value("max_speed_m_s"), 8.0);
     EXPECT_EQ(table.rows[0][static_cast<std::size_t>(table.find_column("state_hash"))],
               "00000000000000ab");

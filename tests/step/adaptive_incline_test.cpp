@@ -1,6 +1,7 @@
+#include "adapt/sqrt3_mesh.h"
 #include "adapt/state_transfer.h"
-#include "step/adapt_world.h"
 #include "step/advance.h"
+#include "step/make_adaptive.h"
 #include "support/worlds.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,10 @@
+#include "adapt/sqrt3_mesh.h"
 #include "adapt/state_transfer.h"
 #include "app/validation/motion.h"
 #include "base/parallel.h"
 #include "frames/checkpoint.h"
-#include "step/adapt_world.h"
 #include "step/advance.h"
+#include "step/make_adaptive.h"
 #include "support/worlds.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "support/adapting_world.h"
 
-#include "step/adapt_world.h"
+#include "step/make_adaptive.h"
 #include "support/worlds.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "adapt/least_rest_angle.h"
 #include "app/validation/experiments.h"
 #include "app/validation/motion.h"
-#include "step/adapt_world.h"
 #include "step/advance.h"
+#include "step/make_adaptive.h"
 
 #include <fmt/core.h>
 
