@@ -120,7 +120,7 @@ void SourceLists::touch_vertices(const ElementRooms& rooms) {
 /// the present row has met them. These are touched as well, and will find it done.
 void SourceLists::change_neighbours(std::size_t site) {
     for (RowEntry& entry : row_) {
-        if (entry.visits == 0) {
+        if (entry.is_met == 0) {
             part(site, {entry.site, entry.pair});
             entry.pair = k_no_index;
         } else if (entry.pair == k_no_index) {

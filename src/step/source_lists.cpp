@@ -43,8 +43,10 @@ void SourceLists::keep_counts(const ElementRooms& rooms) {
 /// Of each node of an element with each.
 void SourceLists::number_sources(const ElementRooms& rooms) {
     sources_.clear();
+    most_nodes_ = 0;
     for (const ElementRooms::Set& set : rooms.sets()) {
         const std::size_t n = set.nodes_per_element;
+        most_nodes_ = std::max(most_nodes_, n);
         std::vector<std::uint32_t>& sources = sources_.emplace_back();
         for (std::size_t k = 0; k < n; ++k) {
             for (std::size_t j = 0; j < n; ++j) {
@@ -118,18 +120,15 @@ void SourceLists::begin_row(std::size_t site) {
         row_[place_of(known.site)].pair = known.pair;
     }
     if (is_present_[site] != 0) {
-        row_[place_of(static_cast<Index>(site))].visits = 1;
+        row_[place_of(static_cast<Index>(site))].is_met = 1;
     }
 }
 
-/// Where in the present row its neighbour at a site is, a new one when it has not been met before.
-std::uint32_t SourceLists::place_of(Index site) {
-    Mark& mark = mark_[at(site)];
-    if (mark.row != last_mark_) {
-        mark = {last_mark_, static_cast<std::uint32_t>(row_.size())};
-        row_.push_back({.site = site});
-    }
-    return mark.place;
+std::uint32_t SourceLists::add_neighbour(Index site) {
+    const auto place = static_cast<std::uint32_t>(row_.size());
+    mark_[at(site)] = {last_mark_, place};
+    row_.push_back({.site = site});
+    return place;
 }
 
 /// Sites that elements join with this one, and itself, to the present row.
@@ -197,7 +196,8 @@ void SourceLists::gather_row(const ElementRooms& rooms,
                              std::size_t site,
                              std::uint8_t needs) {
     const auto own = static_cast<Index>(site);
-    gathered_.clear();
+    gathered_.resize(std::max(gathered_.size(), forces_[site].size() * most_nodes_ + 1));
+    Gathered* next = gathered_.data();
     for_each_element(
         rooms, site, needs,
         [&](std::size_t s, std::uint32_t element, std::uint32_t k, std::span<const Index> nodes) {
@@ -208,15 +208,12 @@ void SourceLists::gather_row(const ElementRooms& rooms,
                 for (std::size_t j = 0; j < nodes.size(); ++j) {
                     if (nodes[j] != k_no_index) {
                         RowEntry& entry = row_[place_of(nodes[j])];
-                        ++entry.visits;
+                        entry.is_met = 1;
                         entry.constant += sets[s].constants[first + sources[j] / k_manners];
                     }
                 }
                 return;
             }
-            const std::size_t begin = gathered_.size();
-            gathered_.resize(begin + nodes.size());
-            Gathered* next = &gathered_[begin];
             const auto first_source =
                 k_manners * static_cast<std::uint32_t>(set.block_begin + first);
             for (std::size_t j = 0; j < nodes.size(); ++j) {
@@ -226,11 +223,11 @@ void SourceLists::gather_row(const ElementRooms& rooms,
                     *next = {place, first_source + sources[j]};
                     next += is_wanted;
                     row_[place].blocks += is_wanted;
-                    ++row_[place].visits;
+                    row_[place].is_met = 1;
                 }
             }
-            gathered_.resize(static_cast<std::size_t>(next - gathered_.data()));
         });
+    gathered_count_ = static_cast<std::size_t>(next - gathered_.data());
 }
 
 /// Does anew what a row needs.
@@ -262,7 +259,7 @@ void SourceLists::assign_blocks(std::size_t site) {
         end += entry.blocks;
     }
     dealt_.resize(end);
-    for (const Gathered& one : gathered_) {
+    for (const Gathered& one : std::span(gathered_).first(gathered_count_)) {
         dealt_[row_[one.place].end++] = one.source;
     }
     for (const RowEntry& entry : row_) {

@@ -67,7 +67,7 @@ private:
     struct RowEntry {
         Index site;
         Index pair = k_no_index;  ///< none yet, or none any more
-        std::uint32_t visits = 0; ///< how often elements joined it
+        std::uint32_t is_met = 0; ///< elements join it
         std::uint32_t blocks = 0; ///< of what was gathered, when it is at no lower site
         std::uint32_t end = 0;    ///< of its blocks in dealt_
         double constant = 0.0;
@@ -92,7 +92,14 @@ private:
                           const F& f) const;
 
     void begin_row(std::size_t site);
-    std::uint32_t place_of(Index site);
+    std::uint32_t add_neighbour(Index site);
+
+    /// Where in the present row its neighbour at a site is, a new one when it has not been met
+    /// before. In line: it is asked of each node of each element at a site.
+    std::uint32_t place_of(Index site) {
+        const Mark& mark = mark_[static_cast<std::size_t>(site)];
+        return mark.row == last_mark_ ? mark.place : add_neighbour(site);
+    }
     void find_neighbours(const ElementRooms& rooms, std::size_t site);
     void gather_row(const ElementRooms& rooms,
                     std::span<const ElementSet> sets,
@@ -116,6 +123,7 @@ private:
 
     std::vector<std::size_t> element_counts_;         ///< by set, what the lists hold
     std::vector<std::size_t> vertex_counts_;          ///< by object
+    std::size_t most_nodes_ = 0;                      ///< of an element
     std::vector<std::vector<std::uint32_t>> sources_; ///< by set: as blocks(), within the element
     std::vector<Index> nodes_;        ///< sites of each element's nodes, as element forces stand
     ListPool<std::uint32_t> forces_;  ///< by site
@@ -130,7 +138,8 @@ private:
 
     // while a row is listed
     std::vector<RowEntry> row_;
-    std::vector<Gathered> gathered_;   ///< in the order of the elements
+    std::vector<Gathered> gathered_; ///< its first gathered_count_, in the order of the elements
+    std::size_t gathered_count_ = 0;
     std::vector<std::uint32_t> dealt_; ///< their sources, neighbour by neighbour
     std::vector<Mark> mark_;           ///< by site
     std::uint32_t last_mark_ = 0;
