@@ -11,10 +11,6 @@ namespace {
 constexpr double k_raise = 1.1;
 constexpr double k_lower = 0.98;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 std::vector<Index> triangles_to_refine(const Cloth& cloth, std::span<const double> coarseness) {
     const double width = k_least_width * cloth.params.fabric.thickness;
     std::vector<Index> triangles;

@@ -7,10 +7,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 bool are_same(const RestTriangle& a, const RestTriangle& b) {
     return a.inverse_edges == b.inverse_edges && a.area == b.area;
 }

@@ -11,10 +11,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// The lesser principal stretch.
 double least_stretch(const Triangle& t, const RestTriangle& rest, std::span<const Vec3> x) {
     Mat32 edges;

@@ -9,10 +9,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 bool comes_before(const ContactMemory& a, const ContactMemory& b) {
     return a.pair < b.pair;
 }

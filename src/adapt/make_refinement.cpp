@@ -11,10 +11,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 bool is_seam(const Cloth& cloth, Index e) {
     constexpr double k_same_grain = k_same_grain_deg * std::numbers::pi / 180.0;
     const auto [A, B] = cloth.topology.edges[at(e)].triangle;

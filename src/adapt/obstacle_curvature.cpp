@@ -12,10 +12,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 std::vector<Box> boxes_of(std::span<const Triangle> triangles, std::span<const Vec3> x) {
     std::vector<Box> boxes(triangles.size());
     parallel_for(triangles.size(), [&](std::size_t i) {

@@ -20,10 +20,6 @@ constexpr double k_rounding = 1e-9;
 /// make_refinement leaves unlocked, and a few flips of it.
 constexpr double k_two_lengths = 1e-5;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 std::string sizes_problem(const Cloth& cloth) {
     const Refinement& r = cloth.refinement;
     const std::size_t triangles = cloth.triangles.size();

@@ -9,10 +9,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// Slot in which each old vertex of the cloth stands now; k_no_index: it is gone.
 std::vector<Index>
 slots_of_old(std::size_t old_count, std::size_t count, const ClothChanges& changes) {

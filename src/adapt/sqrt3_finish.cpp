@@ -11,10 +11,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// Fills dead slots of an array of `count` with its last ones, the lowest first: move(from, to).
 /// Returns how many slots are left.
 template <typename Move> Index fill(std::vector<Index>& dead, std::size_t count, const Move& move) {

@@ -9,10 +9,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// Place of an odd generation's part in TriangleLevel::parts.
 int part_shift(int generation) {
     assert(generation % 2 != 0 && generation < 2 * k_most_levels + 2);

@@ -13,10 +13,6 @@ namespace {
 constexpr double k_third = 1.0 / 3.0;
 const RestTriangle k_no_rest{Mat2::Zero(), 0.0}; ///< beyond a boundary
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 } // namespace
 
 bool Sqrt3Mesh::can_refine(Index t) const {

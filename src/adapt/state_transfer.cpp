@@ -15,10 +15,6 @@ namespace {
 /// place moves others.
 constexpr int k_patch_steps = 8;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// The triangles given and those around them, the order of no meaning.
 std::vector<Index> grow(const Cloth& cloth, std::vector<Index> triangles) {
     std::vector<char> is_in(cloth.triangles.size(), 0);

@@ -16,10 +16,6 @@ constexpr const char* k_red = "220 60 50";
 constexpr const char* k_blue = "70 110 200";
 constexpr const char* k_yellow = "250 220 60";
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 std::array<Vec3, 3> corners_of(const TriangleMesh& mesh, Index triangle) {
     const Triangle& t = mesh.triangles[at(triangle)];
     return {mesh.positions[at(t[0])], mesh.positions[at(t[1])], mesh.positions[at(t[2])]};

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 /// Eigen is our language; these are the words that every room uses.
@@ -20,6 +21,11 @@ using Mat32 = Eigen::Matrix<double, 3, 2>;
 /// Index of a vertex, triangle or edge in the array that its name says.
 using Index = std::int32_t;
 inline constexpr Index k_no_index = -1;
+
+/// An index as containers count.
+constexpr std::size_t at(Index i) {
+    return static_cast<std::size_t>(i);
+}
 
 /// Vertex indices of a triangle, counter-clockwise seen from its outer side.
 using Triangle = std::array<Index, 3>;

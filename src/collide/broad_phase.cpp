@@ -15,10 +15,6 @@ constexpr double k_slack = 0.5;
 /// Pieces a tree comparison is cut into. Fewer: threads wait for the longest; more: overhead.
 constexpr std::size_t k_tasks = 128;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 Vec3 mean(std::span<const Vec3> v) {
     Vec3 sum = Vec3::Zero();
     for (const Vec3& one : v) {

@@ -8,10 +8,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// The shares of a pair on what moves: single vertices, and rigid bodies, on which a weighted sum
 /// of forces acts at a weighted sum of arms.
 struct Shares {

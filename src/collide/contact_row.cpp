@@ -13,10 +13,6 @@ constexpr double k_overlap_share = 0.1;
 /// smaller: they sink in for longer.
 constexpr double k_parting_rate = 20.0;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// A direction for sides that touch: of the face, or across both edges.
 Vec3 fallback_normal(PairKind kind, const PairPoints& x) {
     Vec3 n = kind == PairKind::VertexFace ? (x[2] - x[1]).cross(x[3] - x[1])

@@ -16,10 +16,6 @@ constexpr double k_room = 0.7;
 
 constexpr std::size_t k_chunk_candidates = 512;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// How a gap turns with the body that an obstacle's vertex belongs to, m: what sticks to the body
 /// at a distance moves with the body's motion there, not with that of the body's surface.
 Vec3 turn_of_gap(const ContactSurface& surface, Index vertex, const Vec3& gap) {

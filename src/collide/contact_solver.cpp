@@ -9,10 +9,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// Equal but for what rounding does to a sum (obstacles come from their poses anew).
 bool same_places(std::span<const Vec3> a, std::span<const Vec3> b) {
     return a.size() == b.size() &&

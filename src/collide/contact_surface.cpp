@@ -14,10 +14,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 void add_mesh(ContactSurface& surface,
               ContactObject object,
               std::span<const Triangle> triangles,

@@ -13,10 +13,6 @@ namespace {
 
 constexpr std::size_t k_tasks = 128;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 SharedCorners shared_corners(const ContactSurface& surface, const Triangle& s, const Triangle& t) {
     SharedCorners shared;
     for (std::size_t k = 0; k < 3 && !surface.joined_begin.empty(); ++k) {

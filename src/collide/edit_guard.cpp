@@ -12,10 +12,6 @@ namespace {
 /// Gap that an edit must leave, as a share of the wanted distance: what impacts leave, too.
 constexpr double k_least_share = 0.3;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 template <std::size_t N> Box box_of(const std::array<Vec3, N>& points, double margin) {
     Box box = segment_box(points[0], points[1], margin);
     for (std::size_t k = 2; k < N; ++k) {

@@ -8,10 +8,6 @@ namespace {
 
 constexpr std::size_t k_chunk_candidates = 512;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// False when the bounds of what the sides sweep show that they stay further apart than `reach`.
 bool may_meet(PairKind kind, const PairPoints& start, const PairPoints& motion, double reach) {
     const std::size_t split = first_side(kind);

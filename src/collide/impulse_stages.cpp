@@ -14,10 +14,6 @@ constexpr int k_impulse_passes = 4;
 constexpr int k_zone_passes = 10;
 constexpr int k_zone_sweeps = 40;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 } // namespace
 
 void ContactSolver::Impl::count_contact(const std::array<Index, 4>& vertices,

@@ -11,10 +11,6 @@ namespace {
 /// Share of the time of impact up to which an island may move; nearer to 1 leaves less room.
 constexpr double k_kept_share = 0.8;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// v(x) = velocity + linear * (x - centre).
 struct AffineMotion {
     Vec3 centre = Vec3::Zero();

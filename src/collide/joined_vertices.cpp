@@ -6,10 +6,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// Calls f(v, w) for each two vertices on the two sides of a joined pair, both ways round.
 template <typename F> void for_each_joined(const World& world, const F& f) {
     for (std::size_t i = 0; i < world.attached_pairs.size(); ++i) {

@@ -9,10 +9,6 @@ namespace {
 constexpr int k_soft_cuts = 6;
 constexpr int k_cuts = 64;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 } // namespace
 
 /// Where obstacles leave no room, contact gives way: the islands that still meet go on as they came

@@ -10,10 +10,6 @@ namespace {
 /// Two pushes oppose each other where the cosine between them is below this.
 constexpr double k_opposed = -0.2;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// A pair with what its sides look like at the end.
 struct LeftPair {
     const Candidate* candidate;

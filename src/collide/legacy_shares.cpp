@@ -9,10 +9,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 auto first_not_before(std::span<const ContactMemory> memory, const std::array<Index, 4>& pair) {
     return std::lower_bound(
         memory.begin(), memory.end(), pair,

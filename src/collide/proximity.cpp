@@ -15,10 +15,6 @@ constexpr double k_lean = 1e-5;
 
 constexpr std::size_t k_chunk_candidates = 512;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// False when the bounds of the sides alone show that they are further apart than `reach`.
 bool may_be_near(PairKind kind, const PairPoints& x, double reach) {
     for (Eigen::Index k = 0; k < 3; ++k) {

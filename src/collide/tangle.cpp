@@ -11,10 +11,6 @@ namespace {
 
 constexpr std::size_t k_tasks = 128;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 std::vector<Index> triangles_with(const Tangle& tangle, TangleRole role) {
     std::vector<Index> triangles;
     for (std::size_t o = 0; o < tangle.roles.size(); ++o) {

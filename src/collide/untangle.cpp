@@ -34,10 +34,6 @@ constexpr double k_yield_rounds = 20.0;
 constexpr double k_greatest_push = 0.25;
 constexpr double k_contour_step = 0.1;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// Keeps two vertices at the distance that they had.
 struct Spring {
     Index a, b;

@@ -10,10 +10,6 @@ namespace {
 
 constexpr double k_anywhere = 1e30;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// One object of the surface by itself, its triangles turned over when `side` is -1.
 NearestSurface surface_of(const Tangle& tangle, const ContactObject& object, double side) {
     const auto first = tangle.x.begin() + object.first_vertex;

@@ -8,10 +8,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 bool share_vertex(const ContactSurface& surface, const Triangle& s, const Triangle& t) {
     return std::any_of(s.begin(), s.end(), [&](Index v) { return surface.has_corner(t, v); });
 }

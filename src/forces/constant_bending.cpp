@@ -11,10 +11,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// Rest corners of triangle t, turned so that vertex `first` comes first.
 RestCorners corners_from(const Cloth& cloth, Index t, Index first) {
     const Triangle& triangle = cloth.triangles[at(t)];

@@ -9,10 +9,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 std::span<const Vec3> particles_of(const World& world, const Body& body) {
     return std::span(world.positions).subspan(at(body.first_particle), at(body.particle_count));
 }

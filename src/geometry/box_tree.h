@@ -67,7 +67,6 @@ private:
         }
     };
 
-    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     const Node& node(Index i) const { return nodes_[at(i)]; }
     const FourBoxes& boxes_of(const Node& leaf) const {
         return leaf_boxes_[at(leaf.first() / k_leaf_items)];

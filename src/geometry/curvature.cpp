@@ -10,10 +10,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// Curvature across an inner edge, 1/m; 0 when its triangles have no height.
 double edge_curvature(std::span<const Vec3> x, const MeshEdge& edge) {
     const Vec3& x0 = x[at(edge.v[0])];

@@ -21,10 +21,6 @@ constexpr double k_least_cosine = 0.3;
 /// Times that the limits around triangles that would turn over are halved.
 constexpr int k_halvings = 10;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// No limit may be more than k_steepest times the way above that of another vertex.
 void smooth(std::span<const Vec3> positions,
             std::span<const Triangle> triangles,

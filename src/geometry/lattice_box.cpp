@@ -6,10 +6,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// Makes a box; particle (x, y, z) is number x + (n0 + 1) (y + (n1 + 1) z).
 class BoxFiller {
 public:

@@ -11,10 +11,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// One part of the inside in one cell.
 struct CellPart {
     Index cell;         ///< of the lattice

@@ -17,10 +17,6 @@ namespace {
 /// beyond rounding of the largest lattices. Larger: vertices stand further outside their cells.
 constexpr double k_in_face = 1e-10;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// Sums over the pieces of triangles in the fine cells of one block.
 struct PieceSums {
     std::array<double, 64> areas{};   ///< seen from above, negative of those that face down

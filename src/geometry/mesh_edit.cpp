@@ -11,10 +11,6 @@ constexpr Triangle k_dead_triangle{k_no_index, k_no_index, k_no_index};
 constexpr MeshEdge k_dead_edge{
     {k_no_index, k_no_index}, {k_no_index, k_no_index}, {k_no_index, k_no_index}};
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 std::size_t side_of(const MeshEdge& edge, Index t) {
     assert(edge.triangle[0] == t || edge.triangle[1] == t);
     return edge.triangle[0] == t ? 0 : 1;

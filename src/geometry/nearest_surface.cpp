@@ -6,10 +6,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 Vec3 unit(const Vec3& v) {
     const double length = v.norm();
     return length > 0.0 ? Vec3(v / length) : Vec3::Zero();

@@ -4,10 +4,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// Vertices in the middle of edges, by edge; k_no_index: it stays whole.
 std::vector<Index> halve(TriangleMesh& mesh, const EdgeTopology& topology, double longest) {
     std::vector<Index> middles(topology.edges.size(), k_no_index);

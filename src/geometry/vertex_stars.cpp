@@ -5,14 +5,6 @@
 
 namespace weft {
 
-namespace {
-
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
-} // namespace
-
 VertexStars::VertexStars(std::span<const Triangle> triangles, Index vertex_count)
     : first_(at(vertex_count), k_no_index), next_(3 * triangles.size(), k_no_index) {
     for (std::size_t t = 0; t < triangles.size(); ++t) {

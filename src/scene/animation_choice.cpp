@@ -8,10 +8,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// Nodes that a channel moves, and all below them.
 std::vector<char> moved_nodes(const Rig& rig, const Animation& animation) {
     std::vector<char> moved(rig.nodes.size(), 0);

@@ -10,10 +10,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// The keys before and behind a time, and how far it is between them, in [0, 1].
 struct Between {
     std::size_t before, behind;

@@ -17,10 +17,6 @@ constexpr double k_length_difference = 0.03;
 /// A pair is closed within this share of the contact thickness.
 constexpr double k_tolerance = 0.5;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// A point of a cloth: weights on up to three of its vertices.
 struct ClothPoint {
     std::array<Index, 3> vertices{k_no_index, k_no_index, k_no_index}; ///< of the cloth

@@ -11,10 +11,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// Gathers edges, each pair of vertices once.
 class NetworkBuilder {
 public:

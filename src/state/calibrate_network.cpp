@@ -24,10 +24,6 @@ constexpr double k_coupling_weight = 0.1;
 /// Least K of an edge as a share of the mean of its cell: all of a network holds together.
 constexpr double k_least_share = 1e-3;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 Stiffness fabric_stiffness(const FabricParams& fabric) {
     const double e1 = fabric.stretch_stiffness[0];
     const double e2 = fabric.stretch_stiffness[1];

@@ -17,10 +17,6 @@ constexpr double k_snap = 0.1;
 /// vertices may stand off and still be joined one by one.
 constexpr double k_one_by_one = 0.5;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// Rest lengths of edges; of what is no edge, the distance at the start.
 class EdgeLengths {
 public:

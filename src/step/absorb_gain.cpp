@@ -26,10 +26,6 @@ constexpr double k_least_change = 0.05;
 /// is left alone from then on.
 constexpr double k_least_share = 0.01;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// One vertex of a patch.
 struct Yielding {
     VertexEnergy around;

@@ -12,10 +12,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// The hooks by which the transfer of state takes part in the edits of a cloth.
 AdaptionHooks make_hooks(StateTransfer& transfer, AdaptionReport& report) {
     AdaptionHooks hooks;

@@ -15,10 +15,6 @@ namespace {
 /// takes a third longer in the end.
 constexpr double k_greatest_wear = 2.0;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 } // namespace
 
 Assembler::Assembler(std::span<const VertexRange> objects, std::span<const ElementSet> sets) {

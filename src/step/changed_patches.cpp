@@ -11,10 +11,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// What stood before in slots that changed, of an array that had `count` elements.
 std::vector<Index>
 slots_before(const std::vector<Index>& now, std::size_t count_now, std::size_t count) {

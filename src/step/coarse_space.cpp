@@ -20,10 +20,6 @@ constexpr std::size_t k_least_rows = 256;
 /// Keeps directions without inertia (a patch in a line cannot spin) from spoiling the factor.
 constexpr double k_shift = 1e-8;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 Mat3 cross_matrix(const Vec3& a) {
     Mat3 m;
     m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;

@@ -9,10 +9,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 Vec3 across(const Vec3& v, const Vec3& normal) {
     return v - normal.dot(v) * normal;
 }

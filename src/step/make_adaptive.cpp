@@ -10,10 +10,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// An inner edge of an imported shape that turns by more than this is a crease, rad. A flip across
 /// it would put a stretched triangle over a fold that is meant to be there; smaller keeps edges of
 /// round garments (a tube of six sides turns by 60 degrees) from flipping, which they should.

@@ -5,14 +5,6 @@
 /// Source lists when elements change.
 namespace weft {
 
-namespace {
-
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
-} // namespace
-
 void SourceLists::change(const ElementRooms& rooms,
                          std::span<const ElementSet> sets,
                          std::span<const std::vector<Index>> changed) {

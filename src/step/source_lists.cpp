@@ -4,14 +4,6 @@
 
 namespace weft {
 
-namespace {
-
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
-} // namespace
-
 void SourceLists::build(const ElementRooms& rooms, std::span<const ElementSet> sets) {
     is_present_.assign(rooms.site_count(), 0);
     for (const ElementRooms::Object& object : rooms.objects()) {

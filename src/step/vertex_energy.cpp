@@ -6,10 +6,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// Derivative of the shape function of a corner on the rest plane, 1/m.
 Vec2 shape_gradient(const RestTriangle& rest, std::size_t corner) {
     const Vec2 first = rest.inverse_edges.row(0);

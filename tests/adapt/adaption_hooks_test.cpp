@@ -9,10 +9,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 bool has_triangle(const Cloth& cloth, const Triangle& wanted) {
     return std::any_of(cloth.triangles.begin(), cloth.triangles.end(), [&](Triangle t) {
         for (int turn = 0; turn < 3; ++turn) {

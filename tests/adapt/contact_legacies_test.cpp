@@ -15,10 +15,6 @@ namespace {
 using test::AdaptingWorld;
 using test::SheetMotion;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// Two sheets of 16 vertices over a floor of 4.
 World sheets_over_floor() {
     World world;

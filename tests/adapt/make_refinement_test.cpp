@@ -14,10 +14,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 int locked_edges(const Cloth& cloth) {
     const auto& locked = cloth.refinement.locked;
     return std::accumulate(locked.begin(), locked.end(), 0);

@@ -14,10 +14,6 @@ namespace {
 
 using test::MeshHistory;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 void expect_same(const Cloth& a, const Cloth& b) {
     ASSERT_EQ(a.vertex_count, b.vertex_count);
     EXPECT_EQ(a.triangles, b.triangles);

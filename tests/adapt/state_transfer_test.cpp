@@ -13,10 +13,6 @@ using test::SheetMotion;
 
 constexpr std::array k_motions{SheetMotion::Spin, SheetMotion::Wave, SheetMotion::Crumple};
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 Vec3 centre_of(const Cloth& cloth) {
     return cloth.params.placement.translate;
 }

@@ -37,10 +37,6 @@ constexpr double k_margin = 1e-5; ///< the same in m, of the search
 /// average lies over a cut. Charts differ in scale by less than twice, cuts by ten times and more.
 constexpr double k_cut = 3.0;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 CachedRun open_run(const std::filesystem::path& folder) {
     return CachedRun(folder, read_scene(folder / "scene.resolved.toml"));
 }

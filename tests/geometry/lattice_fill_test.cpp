@@ -12,10 +12,6 @@ using namespace test;
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 Vec3 place_of(const LatticeFill& fill, const LatticePlace& place) {
     Vec3 sum = Vec3::Zero();
     for (std::size_t k = 0; k < 4 && place.particles[k] != k_no_index; ++k) {

@@ -11,10 +11,6 @@ namespace weft {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// A mesh that edits go over, with a way back for each.
 struct EditHistory {
     std::vector<Triangle> triangles;

@@ -15,10 +15,6 @@ using namespace test;
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 std::string obj_of(const TriangleMesh& mesh) {
     std::string text;
     for (const Vec3& x : mesh.positions) {

@@ -63,7 +63,6 @@ public:
     std::vector<char> fixed;
 
 private:
-    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     Mat3& block(Index row, Index column) {
         return matrix.blocks[at(find_block(matrix, row, column))];
     }

@@ -11,10 +11,6 @@ namespace weft::test {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 Scene three_sheets() {
     Scene scene;
     for (const int cells : {6, 3, 5}) {

@@ -13,10 +13,6 @@ namespace weft::test {
 
 namespace {
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 void complete(Cloth& cloth) {
     cloth.rest_areas.assign(at(cloth.vertex_count), 0.0);
     for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {

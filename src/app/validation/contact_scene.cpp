@@ -13,10 +13,6 @@ constexpr std::array k_substeps{2, 4, 8};
 constexpr std::array k_meshes{SheetMesh{Pattern::OneDiagonal, 4}, SheetMesh{Pattern::UnionJack, 6},
                               SheetMesh{Pattern::Irregular, 8}};
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 template <typename T> void append(std::vector<T>& to, const std::vector<T>& from) {
     to.insert(to.end(), from.begin(), from.end());
 }

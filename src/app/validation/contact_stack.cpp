@@ -23,10 +23,6 @@ constexpr double k_turn_deg = 9.0;               // of each against the one belo
 constexpr double k_inner = 0.08;                 // m from the axis: inside all of the squares
 constexpr double k_calm_from = 3.0, k_end = 5.0; // s
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 World stacked_sheets(const SheetMesh& mesh) {
     World world;
     ClothParams params;
