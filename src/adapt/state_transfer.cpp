@@ -2,6 +2,7 @@
 
 #include "adapt/renumber_world.h"
 #include "base/disjoint_sets.h"
+#include "state/contact_legacy.h"
 
 #include <algorithm>
 #include <cassert>
@@ -77,7 +78,7 @@ void StateTransfer::find_held(const World& world, const Cloth& cloth) {
         std::for_each(pair.vertices.begin(), pair.vertices.end(), hold);
     }
     for (const ContactMemory& memory : world.contact_memory) {
-        std::for_each(memory.pair.begin(), memory.pair.end(), hold);
+        std::for_each(memory.pair.begin(), memory.pair.end() - (is_legacy(memory) ? 1 : 0), hold);
     }
 }
 

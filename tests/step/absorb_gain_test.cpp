@@ -1,6 +1,6 @@
-#include "forces/membrane_elements.h"
 #include "step/absorb_gain.h"
 #include "support/adapting_world.h"
+#include "support/surface_energy.h"
 
 #include <gtest/gtest.h>
 
@@ -12,14 +12,6 @@ using test::AdaptingWorld;
 using test::SheetMotion;
 
 const Vec3 k_gravity(0.0, -9.81, 0.0); // m/s^2
-
-double surface_energy(const Cloth& cloth, std::span<const Vec3> x) {
-    double energy = MembraneElements(cloth).energy(x) + ConstantBending(cloth).energy(x);
-    for (std::size_t v = 0; v < x.size(); ++v) {
-        energy -= cloth.params.fabric.area_density * cloth.rest_areas[v] * k_gravity.dot(x[v]);
-    }
-    return energy;
-}
 
 /// What absorb_gain() made of one adaption of a sheet in waves.
 struct Absorption {
@@ -54,8 +46,8 @@ Absorption absorb(AdaptingWorld& sheets, double share, double farthest, bool hol
                                        patch, shifted);
         }
     }
-    result.energy = surface_energy(cloth, start);
-    result.fall = result.energy - surface_energy(cloth, x);
+    result.energy = test::surface_energy(cloth, start, k_gravity);
+    result.fall = result.energy - test::surface_energy(cloth, x, k_gravity);
     for (std::size_t v = 0; v < x.size(); ++v) {
         const bool moved = x[v] != start[v];
         result.farthest = std::max(result.farthest, (x[v] - start[v]).norm());

@@ -1,6 +1,7 @@
 #include "forces/membrane_elements.h"
 #include "step/changed_patches.h"
 #include "support/adapting_world.h"
+#include "support/surface_energy.h"
 
 #include <gtest/gtest.h>
 
@@ -14,16 +15,6 @@ using test::AdaptingWorld;
 using test::SheetMotion;
 
 const Vec3 k_gravity(0.5, -9.81, 1.0); // m/s^2
-
-/// All of the energy that patches speak of, element by element, J.
-double surface_energy(const Cloth& cloth, std::span<const Vec3> x) {
-    double energy = MembraneElements(cloth).energy(x) + ConstantBending(cloth).energy(x);
-    for (std::size_t v = 0; v < x.size(); ++v) {
-        energy -=
-            cloth.params.fabric.area_density * cloth.rest_areas[v] * k_gravity.dot(x[v] - x[0]);
-    }
-    return energy;
-}
 
 template <typename Elements>
 void add_forces(const Elements& elements,
@@ -89,8 +80,9 @@ TEST_P(ChangedPatches, AddUpToWhatTheWholeClothGains) {
             gain += patch.gain;
         }
 
-        const double energy = surface_energy(before.cloths[0], old_x);
-        EXPECT_NEAR(gain, surface_energy(cloth, x) - energy, 1e-10 * std::abs(energy));
+        const double energy = test::surface_energy(before.cloths[0], old_x, k_gravity);
+        EXPECT_NEAR(gain, test::surface_energy(cloth, x, k_gravity) - energy,
+                    1e-10 * std::abs(energy));
     }
 }
 
