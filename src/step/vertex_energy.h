@@ -22,8 +22,8 @@ private:
     std::vector<BendElement> made_;
 };
 
-/// All that has energy around one vertex of a cloth, as a function of where that vertex is: the
-/// membrane of its triangles, bending, and a constant force.
+/// Elastic energy around one vertex of a cloth, as a function of where that vertex is: of the
+/// membrane of its triangles, and of bending.
 class VertexEnergy {
 public:
     VertexEnergy(const Cloth& cloth, const VertexStars& stars, Index v, BendElements& bends);
