@@ -7,10 +7,11 @@
 #include "collide/crossings.h"
 #include "frames/solid_measures.h"
 #include "state/world_objects.h"
-#include "step/start_overlap.h"
 
 #include <map>
 #include <numeric>
+
+#include "start/start_overlap.h"
 
 namespace weft {
 

@@ -8,12 +8,13 @@
 #include "frames/acceptance.h"
 #include "frames/status.h"
 #include "scene/scene_writer.h"
-#include "step/make_adaptive.h"
-#include "step/start_overlap.h"
 
 #include <CLI/CLI.hpp>
 
 #include <memory>
+
+#include "start/make_adaptive.h"
+#include "start/start_overlap.h"
 
 namespace weft {
 

@@ -1,6 +1,4 @@
 #include "app/commands.h"
-#include "app/validation/experiments.h"
-#include "app/validation/table.h"
 #include "base/atomic_file.h"
 #include "base/parallel.h"
 
@@ -9,6 +7,9 @@
 
 #include <filesystem>
 #include <memory>
+
+#include "validation/experiments.h"
+#include "validation/table.h"
 
 namespace weft {
 

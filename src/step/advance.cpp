@@ -5,7 +5,6 @@
 #include "base/stopwatch.h"
 #include "collide/crossings.h"
 #include "state/update_attachments.h"
-#include "step/adapt_world.h"
 #include "step/held.h"
 #include "step/implicit_step.h"
 #include "step/recover.h"
@@ -14,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+#include "remesh/adapt_world.h"
 
 namespace weft {
 

@@ -3,7 +3,8 @@
 #include "collide/contact.h"
 #include "collide/contact_law.h"
 #include "state/carrier_table.h"
-#include "step/block_matrix.h"
+
+#include "solver/block_matrix.h"
 
 namespace weft {
 

@@ -1,10 +1,11 @@
 #pragma once
 
-#include "step/coarse_space.h"
-#include "step/conjugate_gradient.h"
 #include "step/contact_forces.h"
-#include "step/coupled_matrix.h"
-#include "step/preconditioner.h"
+
+#include "solver/coarse_space.h"
+#include "solver/conjugate_gradient.h"
+#include "solver/coupled_matrix.h"
+#include "solver/preconditioner.h"
 
 namespace weft {
 

@@ -5,9 +5,10 @@
 #include "forces/element_terms.h"
 #include "state/cloth_changes.h"
 #include "state/world.h"
-#include "step/assembler.h"
 
 #include <memory>
+
+#include "solver/assembler.h"
 
 namespace weft {
 

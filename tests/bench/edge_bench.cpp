@@ -1,15 +1,16 @@
-#include "app/validation/sheet.h"
-#include "app/validation/sheet_world.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "state/build_network.h"
-#include "step/conjugate_gradient.h"
 #include "step/force_system.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "solver/conjugate_gradient.h"
+#include "validation/sheet.h"
+#include "validation/sheet_world.h"
 
 /// What a step costs by the model of the cloth: forces and Jacobian, their assembly into the
 /// matrix, and a solve of the same few iterations, on the same triangles (edges are those of the

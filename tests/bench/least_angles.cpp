@@ -4,12 +4,13 @@
 
 #include "adapt/least_rest_angle.h"
 #include "scene/scene_reader.h"
-#include "step/make_adaptive.h"
 
 #include <fmt/core.h>
 
 #include <cstdio>
 #include <numbers>
+
+#include "start/make_adaptive.h"
 
 namespace weft {
 

@@ -1,9 +1,7 @@
 #include "adapt/sqrt3_mesh.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "step/conjugate_gradient.h"
 #include "step/force_system.h"
-#include "step/preconditioner.h"
 #include "support/adaptive_cloths.h"
 #include "support/changing_sheet.h"
 #include "support/worlds.h"
@@ -11,6 +9,9 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+
+#include "solver/conjugate_gradient.h"
+#include "solver/preconditioner.h"
 
 /// What it costs to bring forces and matrix to a mesh of which one triangle in a hundred has
 /// changed (of edits all over, edits in one part, a band of refinement that moves), beside making

@@ -1,12 +1,13 @@
-#include "app/validation/sheet_world.h"
 #include "base/parallel.h"
 #include "state/build_network.h"
-#include "step/conjugate_gradient.h"
 #include "step/force_system.h"
 
 #include <fmt/core.h>
 
 #include <cmath>
+
+#include "solver/conjugate_gradient.h"
+#include "validation/sheet_world.h"
 
 /// Figure 3 of Vogiannou et al. 2010: a lattice held at two opposite edges sags under its weight,
 /// then the edges are moved apart until it has twice its rest area. Steps are those of the paper,

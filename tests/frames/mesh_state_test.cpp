@@ -1,9 +1,10 @@
 #include "frames/mesh_state.h"
-#include "step/make_adaptive.h"
 #include "support/adapting_world.h"
 #include "support/grid_world.h"
 
 #include <gtest/gtest.h>
+
+#include "start/make_adaptive.h"
 
 namespace weft {
 namespace {

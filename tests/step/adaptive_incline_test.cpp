@@ -1,13 +1,14 @@
 #include "adapt/sqrt3_mesh.h"
 #include "adapt/state_transfer.h"
 #include "step/advance.h"
-#include "step/make_adaptive.h"
 #include "support/worlds.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+
+#include "start/make_adaptive.h"
 
 namespace weft {
 

@@ -1,13 +1,14 @@
 #include "adapt/sqrt3_mesh.h"
 #include "adapt/state_transfer.h"
-#include "app/validation/motion.h"
 #include "base/parallel.h"
 #include "frames/checkpoint.h"
 #include "step/advance.h"
-#include "step/make_adaptive.h"
 #include "support/worlds.h"
 
 #include <gtest/gtest.h>
+
+#include "start/make_adaptive.h"
+#include "validation/motion.h"
 
 namespace weft {
 

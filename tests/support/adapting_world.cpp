@@ -1,11 +1,12 @@
 #include "support/adapting_world.h"
 
-#include "step/make_adaptive.h"
 #include "support/worlds.h"
 
 #include <algorithm>
 #include <numbers>
 #include <numeric>
+
+#include "start/make_adaptive.h"
 
 namespace weft::test {
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "app/validation/sheet.h"
 #include "state/cloth.h"
+
+#include "validation/sheet.h"
 
 namespace weft::test {
 

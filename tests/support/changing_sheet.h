@@ -1,10 +1,11 @@
 #pragma once
 
-#include "app/validation/sheet.h"
 #include "state/cloth.h"
 #include "state/cloth_changes.h"
 
 #include <random>
+
+#include "validation/sheet.h"
 
 namespace weft::test {
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "app/validation/sheet.h"
 #include "state/cloth.h"
 
 #include <functional>
+
+#include "validation/sheet.h"
 
 namespace weft::test {
 

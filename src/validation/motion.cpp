@@ -1,0 +1,121 @@
+#include "validation/motion.h"
+
+#include "base/error.h"
+#include "forces/constant_bending.h"
+#include "forces/membrane_elements.h"
+#include "step/held.h"
+
+#include <limits>
+
+namespace weft {
+
+namespace {
+
+[[noreturn]] void refuse_warning(const std::string& line) {
+    throw Error(ExitCode::OurFault, line);
+}
+
+} // namespace
+
+FreeMotion::FreeMotion(const Scene& scene)
+    : world(build_world(scene, refuse_warning)), params_(scene.scene), implicit_(world, params_) {}
+
+void FreeMotion::step(double dt) {
+    find_held(world, world.time + dt, held_);
+    if (!implicit_.solve(world, held_, dt, end_positions_, end_velocities_).converged) {
+        throw Error(ExitCode::Diverged, fmt::format("no convergence at t = {:.6g} s", world.time));
+    }
+    std::swap(world.previous_positions, world.positions);
+    std::swap(world.previous_velocities, world.velocities);
+    std::swap(world.positions, end_positions_);
+    std::swap(world.velocities, end_velocities_);
+    world.history_dt = params_.integrator == Integrator::Bdf2 ? dt : 0.0;
+    world.time += dt;
+}
+
+void FreeMotion::steps(double dt, int count) {
+    for (int i = 0; i < count; ++i) {
+        step(dt);
+    }
+}
+
+FabricParams isotropic_fabric(double stretch, double poisson, double bend) {
+    FabricParams fabric;
+    fabric.area_density = 0.2;
+    fabric.stretch_stiffness = {stretch, stretch};
+    fabric.shear_stiffness = stretch / (2.0 * (1.0 + poisson));
+    fabric.poisson = poisson;
+    fabric.bend_stiffness = bend;
+    return fabric;
+}
+
+Scene vacuum_scene(const Vec2& size, const std::array<int, 2>& cells, const FabricParams& fabric) {
+    Scene scene;
+    scene.scene.gravity.setZero();
+    scene.scene.air_density = 0.0;
+    scene.scene.newton = 50;
+    scene.scene.solver_tolerance = 1e-12;
+    ClothParams& cloth = scene.cloths.emplace_back();
+    cloth.name = "sheet";
+    cloth.grid_size = size;
+    cloth.grid_cells = cells;
+    cloth.fabric = fabric;
+    return scene;
+}
+
+Vec3 linear_momentum(const World& world) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
+        sum += world.masses[i] * world.velocities[i];
+    }
+    return sum;
+}
+
+Vec3 angular_momentum(const World& world) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
+        sum += world.masses[i] * world.positions[i].cross(world.velocities[i]);
+    }
+    return sum;
+}
+
+double speed_sum(const World& world) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
+        sum += world.masses[i] * world.velocities[i].norm();
+    }
+    return sum;
+}
+
+double kinetic_energy(const World& world) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
+        sum += 0.5 * world.masses[i] * world.velocities[i].squaredNorm();
+    }
+    return sum;
+}
+
+double free_energy(const World& world) {
+    double sum = kinetic_energy(world);
+    for (const Cloth& cloth : world.cloths) {
+        sum += MembraneElements(cloth).energy(world.positions_of(cloth)) +
+               ConstantBending(cloth).energy(world.positions_of(cloth));
+    }
+    return sum;
+}
+
+double mean_period(std::span<const double> signal, double dt) {
+    double first = 0.0;
+    double last = 0.0;
+    int rises = 0;
+    for (std::size_t i = 1; i < signal.size(); ++i) {
+        if (signal[i - 1] < 0.0 && signal[i] >= 0.0) {
+            const double share = -signal[i - 1] / (signal[i] - signal[i - 1]);
+            last = dt * (static_cast<double>(i) + share);
+            first = rises++ == 0 ? last : first;
+        }
+    }
+    return rises < 2 ? std::numeric_limits<double>::quiet_NaN() : (last - first) / (rises - 1);
+}
+
+} // namespace weft
