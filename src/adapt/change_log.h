@@ -7,7 +7,7 @@
 
 namespace weft {
 
-/// What triangles and edges of a cloth were before an adaption wrote to them.
+/// What triangles and edges of a cloth were before an adaptation wrote to them.
 class ChangeLog {
 public:
     /// Forgets all, at the cost of what was written since the last time.
@@ -19,7 +19,7 @@ public:
     /// Edge e is about to be written to.
     void touch_edge(const Cloth& cloth, Index e);
 
-    /// A vertex was moved to another slot; each slot is moved from, and to, once an adaption.
+    /// A vertex was moved to another slot; each slot is moved from, and to, once an adaptation.
     void move_vertex(Index from, Index to);
 
     /// What is another one now. `masses` is left to the caller.

@@ -37,7 +37,7 @@ ContactLegacies::ContactLegacies(World& world, Index first, std::span<const char
     const auto is_own = [&](Index v) { return v >= first_ && v < first_ + old_count_; };
     const auto changes = [&](Index v) { return is_own(v) && is_changed[at(v - first_)] != 0; };
     std::erase_if(world.contact_memory, [&](const ContactMemory& memory) {
-        if (is_legacy(memory) && is_own(memory.pair[0])) { // of an adaption just before this one
+        if (is_legacy(memory) && is_own(memory.pair[0])) { // of an adaptation just before this one
             add(world, memory.pair[0], memory.pair[3], memory, 1.0);
             return true;
         }

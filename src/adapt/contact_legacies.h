@@ -1,6 +1,6 @@
 #pragma once
 
-#include "adapt/adaption_hooks.h"
+#include "adapt/adaptation_hooks.h"
 #include "state/world.h"
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace weft {
 
-/// Carries what contact remembers of a cloth's pairs over an adaption of its mesh.
+/// Carries what contact remembers of a cloth's pairs over an adaptation of its mesh.
 ///
 /// Which pairs come after it only the next search tells. What goes on is the force of friction: a
 /// pair's is its slip times a stiffness that no mesh changes. It is laid to the cloth's vertices of
@@ -22,19 +22,19 @@ class ContactLegacies {
 public:
     /// Takes out of the memory all pairs with a vertex that changes.
     ///
-    /// @param world       numbered, with masses, as before the adaption
+    /// @param world       numbered, with masses, as before the adaptation
     /// @param first       first vertex of the cloth
     /// @param is_changed  of the cloth's vertices before it: corner of a triangle that changes, or
     ///                    taken out
     ContactLegacies(World& world, Index first, std::span<const char> is_changed);
 
-    /// Vertices by the numbers that they had during the adaption, ascending.
+    /// Vertices by the numbers that they had during the adaptation, ascending.
     void inherit(const VertexParents& place);
 
     /// Puts legacies into the memory, which stays sorted.
     ///
     /// @param world   renumbered
-    /// @param former  of each vertex of the cloth: its number during the adaption
+    /// @param former  of each vertex of the cloth: its number during the adaptation
     /// @param masses  of each vertex of the cloth, kg
     void leave(World& world, std::span<const Index> former, std::span<const double> masses) const;
 
@@ -47,8 +47,8 @@ private:
 
     Index first_, old_count_;
     std::vector<Index> objects_; ///< first vertices, ascending, numbered as before
-    /// By pair {v, v, v, u}, ascending: v a vertex of the cloth by its number during the adaption,
-    /// u as before it; slip per mass, m/kg.
+    /// By pair {v, v, v, u}, ascending: v a vertex of the cloth by its number during the
+    /// adaptation, u as before it; slip per mass, m/kg.
     std::vector<ContactMemory> legacies_;
 };
 

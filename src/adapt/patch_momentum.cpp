@@ -18,7 +18,7 @@ constexpr double k_least_width = 1e-12;
 
 /// Least share that is left of what moves otherwise than as a rigid body. Smaller: velocities jump
 /// where masses came nearer to the axis of a spin, which takes energy that cannot be taken off it;
-/// larger: adaptions give cloth energy.
+/// larger: adaptations give cloth energy.
 constexpr double k_least_share = 0.98;
 
 /// A rigid motion about a centre.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
-// The end of an adaption: no gaps, rest areas, what changed.
+// The end of an adaptation: no gaps, rest areas, what changed.
 
 namespace weft {
 

@@ -21,7 +21,7 @@ Sqrt3Mesh::Sqrt3Mesh(const Cloth& cloth) : stars_(cloth.triangles, cloth.vertex_
     assert(!cloth.refinement.empty());
 }
 
-void Sqrt3Mesh::begin(Cloth& cloth, AdaptionHooks hooks, const AdaptionLimits& limits) {
+void Sqrt3Mesh::begin(Cloth& cloth, AdaptationHooks hooks, const AdaptationLimits& limits) {
     assert(cloth_ == nullptr);
     assert(0 <= limits.max_level && limits.max_level <= k_most_levels);
     assert(cloth.refinement.triangles.size() == cloth.triangles.size());
@@ -110,7 +110,7 @@ Index Sqrt3Mesh::add_vertex(const VertexParents& place, InsertedVertex record) {
     Refinement& refinement = cloth_->refinement;
     const Index parent = place.parents[0];
     record.anchor = refinement.is_inserted(parent) ? refinement.inserted(parent).anchor : parent;
-    record.born = limits_.adaption;
+    record.born = limits_.adaptation;
     Vec2 material = Vec2::Zero();
     for (std::size_t k = 0; k < 3 && place.parents[k] != k_no_index; ++k) {
         material += place.weights[k] * cloth_->material_positions[at(place.parents[k])];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "adapt/adaption_hooks.h"
+#include "adapt/adaptation_hooks.h"
 #include "adapt/change_log.h"
 #include "geometry/mesh_edit.h"
 #include "geometry/vertex_stars.h"
@@ -15,7 +15,7 @@ namespace weft {
 /// the set of vertices put in, whatever the order they came and went in; without any, the cloth is
 /// the imported one, bit for bit.
 ///
-/// One adaption, in this order:
+/// One adaptation, in this order:
 ///     Sqrt3Mesh mesh(cloth);               // once; needs make_refinement(cloth) before
 ///     mesh.begin(cloth, hooks, limits);
 ///     mesh.retry_flips();
@@ -28,7 +28,7 @@ namespace weft {
 /// which are those of before until then, and says what changed. A triangle refined keeps its slot
 /// for one of its parts: refine(t) again goes on inside it.
 ///
-/// Everything is proportional to what changes, but for the constructor and, once an adaption, the
+/// Everything is proportional to what changes, but for the constructor and, once an adaptation, the
 /// edges whose flip waits.
 ///
 /// Source: Kobbelt 2000, "sqrt(3)-subdivision"; coarsening is ours (each slot keeps its way back).
@@ -39,7 +39,7 @@ public:
 
     /// @param cloth  the one of the constructor, changed since by this object alone; it may have
     ///               moved in memory, and must stay where it is until finish()
-    void begin(Cloth& cloth, AdaptionHooks hooks, const AdaptionLimits& limits);
+    void begin(Cloth& cloth, AdaptationHooks hooks, const AdaptationLimits& limits);
 
     /// Whether refine(t) has a chance: neither the level limit nor a frozen triangle is in its way.
     bool can_refine(Index t) const;
@@ -61,7 +61,7 @@ public:
     /// Tries the flips that were refused before. Returns how many were made.
     int retry_flips();
 
-    /// Fills gaps, sets rest areas, ends the adaption. Debug builds check the whole mesh.
+    /// Fills gaps, sets rest areas, ends the adaptation. Debug builds check the whole mesh.
     ClothChanges finish();
 
     /// The triangles around each vertex.
@@ -108,8 +108,8 @@ private:
     void set_rest_areas(ClothChanges& changes);
 
     Cloth* cloth_ = nullptr;
-    AdaptionHooks hooks_;
-    AdaptionLimits limits_;
+    AdaptationHooks hooks_;
+    AdaptationLimits limits_;
     VertexStars stars_;
     ChangeLog log_;
     std::vector<Index> dead_vertices_, dead_edges_, dead_triangles_;

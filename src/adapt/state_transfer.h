@@ -1,6 +1,6 @@
 #pragma once
 
-#include "adapt/adaption_hooks.h"
+#include "adapt/adaptation_hooks.h"
 #include "adapt/contact_legacies.h"
 #include "adapt/patch_momentum.h"
 #include "state/cloth_changes.h"
@@ -11,7 +11,7 @@
 
 namespace weft {
 
-/// What the vertices of one cloth carry through an adaption.
+/// What the vertices of one cloth carry through an adaptation.
 ///
 /// A vertex put in stands, and moves, where the surface did: at the weighted mean of its parents,
 /// in the history that BDF2 needs as well; it is pinned when all its parents are, by one pin. A
@@ -33,17 +33,17 @@ public:
     /// Whether nothing holds a vertex where it is: no pin, no attached pair, no contact.
     bool is_free(Index v) const { return !states_[static_cast<std::size_t>(v)].is_held; }
 
-    /// Shifts a vertex of the cloth as the adaption left it, and where it comes from with it, so
+    /// Shifts a vertex of the cloth as the adaptation left it, and where it comes from with it, so
     /// that it moves as before.
     void shift(Index v, const Vec3& x);
 
-    /// The adaption gave the cloth this much energy (J) around a vertex: what it moves by is to
+    /// The adaptation gave the cloth this much energy (J) around a vertex: what it moves by is to
     /// lose as much, as far as restore_momentum() takes it.
     void charge(Index v, double energy) {
         states_[static_cast<std::size_t>(v)].left.kinetic -= energy;
     }
 
-    /// All of them, of the cloth as the adaption left it.
+    /// All of them, of the cloth as the adaptation left it.
     std::vector<Vec3> positions(const Cloth& cloth) const;
 
     /// Writes the state of the changed cloth number `index` into the world, whose mesh has been
@@ -53,7 +53,7 @@ public:
 private:
     struct VertexState {
         Vec3 x, v, previous_x, previous_v, start;
-        double mass = 0.0;         ///< before the adaption, kg; 0: it is new
+        double mass = 0.0;         ///< before the adaptation, kg; 0: it is new
         PatchMomentum left;        ///< by vertices that were taken out
         PatchMomentum left_change; ///< the same of what the last substep changed of their velocity
         std::optional<Pin> pin;
@@ -74,7 +74,7 @@ private:
     const std::vector<Obstacle>* obstacles_;
     Vec3 origin_;
     std::vector<VertexState> states_; ///< by slot
-    std::vector<double> masses_;      ///< by slot, after the adaption, kg
+    std::vector<double> masses_;      ///< by slot, after the adaptation, kg
     std::vector<VertexParents> inserted_;
     std::size_t old_count_;
 };

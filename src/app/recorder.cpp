@@ -16,8 +16,8 @@ Recorder::Recorder(const RunPaths& paths,
                    const FrameRange& wanted)
     : paths_(paths), contact_(scene.contact), frames_(scene.scene.frames), scene_hash_(scene_hash),
       wanted_(wanted), capture_(start, scene.scene.fps, scene.scene.frames),
-      statistician_(start, scene.scene), crossings_(start, scene.contact.self), writer_(paths),
-      pictures_(paths, scene) {}
+      statistics_collector_(start, scene.scene), crossings_(start, scene.contact.self),
+      writer_(paths), pictures_(paths, scene) {}
 
 void Recorder::resume_after(int last) {
     writer_.keep_through(last);
@@ -55,7 +55,7 @@ void Recorder::record(const World& world,
     }
     {
         const ScopedTime time(record->timing.measure);
-        record->statistics = statistician_.measure(world, report, crossings);
+        record->statistics = statistics_collector_.measure(world, report, crossings);
         record->problems = problem_rows(world.frame, problems, world);
         if (wanted_.contains(world.frame)) {
             record->frame = capture_.capture(world);

@@ -58,7 +58,7 @@ private:
     std::uint64_t scene_hash_;
     FrameRange wanted_;
     FrameCapture capture_;
-    Statistician statistician_;
+    StatisticsCollector statistics_collector_;
     WorldCrossings crossings_;
     RunWriter writer_;
     LivePictures pictures_;

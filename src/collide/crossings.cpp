@@ -100,11 +100,12 @@ std::vector<std::array<Index, 2>> CrossingSearch::find(const ContactSurface& sur
 }
 
 WorldCrossings::WorldCrossings(const World& world, bool self)
-    : self_(self), adaptions_(adaptions_of(world)), surface_(make_surface(world, {.self = self})),
+    : self_(self), adaptations_(adaptations_of(world)),
+      surface_(make_surface(world, {.self = self})),
       search_(surface_, self || !surface_.bodies.empty()) {}
 
 std::vector<ContactProblem> WorldCrossings::find(const World& world, double time) {
-    if (adaptions_ != adaptions_of(world)) {
+    if (adaptations_ != adaptations_of(world)) {
         *this = WorldCrossings(world, self_);
     }
     std::copy(world.positions.begin(), world.positions.end(), surface_.start.begin());

@@ -48,7 +48,7 @@ public:
 
 private:
     bool self_;
-    std::vector<Index> adaptions_; ///< of each cloth's mesh, when the surface was made
+    std::vector<Index> adaptations_; ///< of each cloth's mesh, when the surface was made
     ContactSurface surface_;
     CrossingSearch search_;
 };

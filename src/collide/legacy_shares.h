@@ -13,7 +13,7 @@ namespace weft {
 const ContactMemory* find_pair(std::span<const ContactMemory> memory,
                                const std::array<Index, 4>& pair);
 
-/// Shares the legacies of an adaption (contact_legacy.h) among the pairs found after it.
+/// Shares the legacies of an adaptation (contact_legacy.h) among the pairs found after it.
 ///
 /// Each pair that is not remembered itself has a part of those of its vertices which lie with the
 /// object that it touches: in proportion to the vertex's weight in it and to how far it is within

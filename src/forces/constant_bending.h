@@ -36,7 +36,7 @@ struct BendElement {
 /// BendModel::MidEdge, none when it does not bend.
 std::size_t bend_slots(const Cloth& cloth);
 
-/// Slots whose element an adaption changed, as the cloth is now.
+/// Slots whose element an adaptation changed, as the cloth is now.
 std::vector<Index> changed_bends(const Cloth& cloth, const ClothChanges& changes);
 
 /// The element in a slot.

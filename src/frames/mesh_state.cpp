@@ -92,7 +92,7 @@ private:
     bool failed_ = false;
 };
 
-/// Calls f with each array of a cloth that adaption changes.
+/// Calls f with each array of a cloth that adaptation changes.
 template <typename AnyCloth, typename F> void for_each_array(AnyCloth& cloth, const F& f) {
     f(cloth.triangles);
     f(cloth.topology.edges);
@@ -164,7 +164,7 @@ std::string encode_meshes(const World& world) {
     for (const Cloth& cloth : world.cloths) {
         if (is_adaptive(cloth)) {
             for_each_array(cloth, [&](const auto& values) { out.put(values); });
-            out.put_one(cloth.refinement.adaptions);
+            out.put_one(cloth.refinement.adaptations);
             out.put_one(cloth.refinement.tolerance);
         }
     }
@@ -184,7 +184,7 @@ std::string decode_meshes(std::string_view bytes, World& world) {
     for (Cloth& cloth : world.cloths) {
         if (is_adaptive(cloth)) {
             for_each_array(cloth, [&](auto& values) { in.get(values); });
-            in.get_one(cloth.refinement.adaptions);
+            in.get_one(cloth.refinement.adaptations);
             in.get_one(cloth.refinement.tolerance);
             cloth.vertex_count = static_cast<Index>(cloth.rest_areas.size());
         }

@@ -25,7 +25,7 @@ constexpr std::string_view k_header =
     "max_speed_m_s,state_hash,impacts,impact_zones,scaled_islands,"
     "substeps_impacts,substeps_zones,substeps_scaled,attached_pairs,welded_pairs,attached_gap_m,"
     "level_0,level_1,level_2,level_3,level_4,level_5,level_6,level_7,level_8,"
-    "volume_m3,inverted_cells,least_angle_deg,adaption_J";
+    "volume_m3,inverted_cells,least_angle_deg,adaptation_J";
 
 /// A triangle's stretch and its share of the whole.
 struct Weighted {
@@ -100,7 +100,7 @@ std::string statistics_row(const FrameStatistics& s) {
     for (const std::size_t triangles : s.levels) {
         row << triangles;
     }
-    row << s.volume << s.inverted_cells << s.least_angle_deg << s.report.adaption_energy;
+    row << s.volume << s.inverted_cells << s.least_angle_deg << s.report.adaptation_energy;
     return row.text();
 }
 
@@ -179,16 +179,16 @@ StrainStatistics measure_strain(const World& world) {
     return sums.result();
 }
 
-Statistician::Statistician(const World& world, const SceneParams& scene)
+StatisticsCollector::StatisticsCollector(const World& world, const SceneParams& scene)
     : gravity_(scene.gravity), fps_(scene.fps) {
     follow_mesh(world);
 }
 
-void Statistician::follow_mesh(const World& world) {
-    if (!energies_.empty() && adaptions_ == adaptions_of(world)) {
+void StatisticsCollector::follow_mesh(const World& world) {
+    if (!energies_.empty() && adaptations_ == adaptations_of(world)) {
         return;
     }
-    adaptions_ = adaptions_of(world);
+    adaptations_ = adaptations_of(world);
     energies_.clear();
     for (const Cloth& cloth : world.cloths) {
         energies_.emplace_back(cloth);
@@ -198,7 +198,7 @@ void Statistician::follow_mesh(const World& world) {
     }
 }
 
-MotionStatistics Statistician::measure_motion(const World& world) const {
+MotionStatistics StatisticsCollector::measure_motion(const World& world) const {
     MotionStatistics motion;
     double mass = 0.0;
     for (std::size_t i = 0; i < world.vertex_count(); ++i) {
@@ -226,7 +226,7 @@ MotionStatistics Statistician::measure_motion(const World& world) const {
 }
 
 FrameStatistics
-Statistician::measure(const World& world, const FrameReport& report, int crossings) {
+StatisticsCollector::measure(const World& world, const FrameReport& report, int crossings) {
     follow_mesh(world);
     double volume = 0.0;
     std::size_t inverted = 0;

@@ -56,9 +56,9 @@ std::string statistics_row(const FrameStatistics& statistics);
 StrainStatistics measure_strain(const World& world);
 
 /// Measures frames of one run; keeps the elements whose energies it sums.
-class Statistician {
+class StatisticsCollector {
 public:
-    Statistician(const World& world, const SceneParams& scene);
+    StatisticsCollector(const World& world, const SceneParams& scene);
 
     /// @param report    what advancing to this frame did
     /// @param crossings pairs of crossing triangles, see FrameStatistics
@@ -71,7 +71,7 @@ private:
 
     Vec3 gravity_;
     double fps_;
-    std::vector<Index> adaptions_; ///< of the meshes that the elements are of
+    std::vector<Index> adaptations_; ///< of the meshes that the elements are of
     std::vector<ElasticEnergy> energies_;
 };
 

@@ -35,7 +35,7 @@ struct Yielding {
     bool is_settled = false;
 };
 
-/// Acceleration by elastic forces and weight before the adaption, m/s^2.
+/// Acceleration by elastic forces and weight before the adaptation, m/s^2.
 /// @param force  elastic, now, N
 Vec3 acceleration_before(const YieldingCloth& yielding,
                          const ChangedVertex& vertex,
@@ -44,7 +44,7 @@ Vec3 acceleration_before(const YieldingCloth& yielding,
     return (force - vertex.force_change) / mass + yielding.gravity;
 }
 
-/// Accelerations before the adaption of those vertices of a patch that were there.
+/// Accelerations before the adaptation of those vertices of a patch that were there.
 class OldAccelerations {
 public:
     void add(Index v, const Vec3& acceleration) {

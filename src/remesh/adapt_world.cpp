@@ -1,6 +1,6 @@
 #include "remesh/adapt_world.h"
 
-#include "adapt/adaption_plan.h"
+#include "adapt/adaptation_plan.h"
 #include "adapt/coarseness.h"
 #include "adapt/state_transfer.h"
 
@@ -14,8 +14,8 @@ namespace weft {
 namespace {
 
 /// The hooks by which the transfer of state takes part in the edits of a cloth.
-AdaptionHooks make_hooks(StateTransfer& transfer, AdaptionReport& report) {
-    AdaptionHooks hooks;
+AdaptationHooks make_hooks(StateTransfer& transfer, AdaptationReport& report) {
+    AdaptationHooks hooks;
     hooks.insert = [&](const VertexParents& place) {
         transfer.insert(place);
         ++report.refined;
@@ -31,15 +31,15 @@ AdaptionHooks make_hooks(StateTransfer& transfer, AdaptionReport& report) {
 /// A vertex is shifted by so many contact thicknesses at most to let a gain of energy go.
 constexpr double k_farthest_shift = 1.0;
 
-/// What an adaption did to the energy of a cloth's surface, and what then moved.
+/// What an adaptation did to the energy of a cloth's surface, and what then moved.
 struct Absorbed {
     double energy = 0.0;          ///< change of elastic and gravity energy that is left, J
     std::vector<Index> vertices;  ///< shifted
     std::vector<Index> triangles; ///< around them, in no order
 };
 
-/// Lets a cloth give way to what an adaption did to it, where that gave it energy; what is left is
-/// taken off its motion.
+/// Lets a cloth give way to what an adaptation did to it, where that gave it energy; what is left
+/// is taken off its motion.
 Absorbed absorb_gains(const PlacedCloth& before,
                       const Cloth& cloth,
                       const Sqrt3Mesh& mesh,
@@ -99,12 +99,12 @@ bool is_near_budget(const Cloth& cloth) {
 }
 
 /// Carries out a plan. False: the budget of triangles was too short for it.
-bool carry_out(const AdaptionPlan& plan, Sqrt3Mesh& mesh, Cloth& cloth, AdaptionHooks hooks) {
+bool carry_out(const AdaptationPlan& plan, Sqrt3Mesh& mesh, Cloth& cloth, AdaptationHooks hooks) {
     const AdaptParams& params = cloth.params.adapt;
     mesh.begin(cloth, std::move(hooks),
                {.max_level = params.levels,
                 .max_triangles = params.max_triangles,
-                .adaption = cloth.refinement.adaptions});
+                .adaptation = cloth.refinement.adaptations});
     mesh.retry_flips();
     bool suffices = true;
     for (const Index t : plan.refine) {
@@ -122,7 +122,7 @@ bool carry_out(const AdaptionPlan& plan, Sqrt3Mesh& mesh, Cloth& cloth, Adaption
 
 } // namespace
 
-AdaptionReport& AdaptionReport::operator+=(const AdaptionReport& other) {
+AdaptationReport& AdaptationReport::operator+=(const AdaptationReport& other) {
     refined += other.refined;
     coarsened += other.coarsened;
     energy += other.energy;
@@ -130,23 +130,23 @@ AdaptionReport& AdaptionReport::operator+=(const AdaptionReport& other) {
     return *this;
 }
 
-WorldAdaption::WorldAdaption(const World& world, const Vec3& gravity)
+WorldAdaptation::WorldAdaptation(const World& world, const Vec3& gravity)
     : obstacles_(world), gravity_(gravity) {
     reset(world);
 }
 
-void WorldAdaption::reset(const World& world) {
+void WorldAdaptation::reset(const World& world) {
     meshes_.clear();
     for (const Cloth& cloth : world.cloths) {
         meshes_.push_back(cloth.refinement.empty() ? nullptr : std::make_unique<Sqrt3Mesh>(cloth));
     }
 }
 
-AdaptionReport WorldAdaption::adapt(World& world,
-                                    double time,
-                                    const ContactSolver& contact,
-                                    std::vector<ClothChanges>& changes) {
-    AdaptionReport report;
+AdaptationReport WorldAdaptation::adapt(World& world,
+                                        double time,
+                                        const ContactSolver& contact,
+                                        std::vector<ClothChanges>& changes) {
+    AdaptationReport report;
     std::optional<EditGuard> guard = contact.guard_edits();
     changes.assign(world.cloths.size(), {});
     for (std::size_t c = 0; c < world.cloths.size(); ++c) {
@@ -158,12 +158,12 @@ AdaptionReport WorldAdaption::adapt(World& world,
     return report;
 }
 
-bool WorldAdaption::adapt_cloth(World& world,
-                                std::size_t index,
-                                double time,
-                                EditGuard* guard,
-                                ClothChanges& changes,
-                                AdaptionReport& report) {
+bool WorldAdaptation::adapt_cloth(World& world,
+                                  std::size_t index,
+                                  double time,
+                                  EditGuard* guard,
+                                  ClothChanges& changes,
+                                  AdaptationReport& report) {
     Cloth& cloth = world.cloths[index];
     const AdaptParams& params = cloth.params.adapt;
     near_curvature_.clear();
@@ -172,8 +172,8 @@ bool WorldAdaption::adapt_cloth(World& world,
     }
     find_coarseness(cloth, world.positions_of(cloth), world.velocities_of(cloth), near_curvature_,
                     coarseness_);
-    ++cloth.refinement.adaptions;
-    const AdaptionPlan plan = plan_adaption(cloth, coarseness_);
+    ++cloth.refinement.adaptations;
+    const AdaptationPlan plan = plan_adaptation(cloth, coarseness_);
     if (plan.empty() && cloth.refinement.pending_flips.empty()) {
         cloth.refinement.tolerance = next_tolerance(cloth.refinement.tolerance, false);
         return false;
@@ -182,8 +182,8 @@ bool WorldAdaption::adapt_cloth(World& world,
     const Cloth before = cloth;
     for (const bool may_move : {true, false}) {
         StateTransfer transfer(world, cloth);
-        AdaptionReport done;
-        AdaptionHooks hooks = make_hooks(transfer, done);
+        AdaptationReport done;
+        AdaptationHooks hooks = make_hooks(transfer, done);
         if (!may_move) {
             forbid_moves(hooks);
         } else {

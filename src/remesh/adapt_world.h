@@ -9,30 +9,30 @@
 
 namespace weft {
 
-/// What an adaption did.
-struct AdaptionReport {
+/// What an adaptation did.
+struct AdaptationReport {
     int refined = 0, coarsened = 0; ///< vertices put in, and taken out
     double energy = 0.0;            ///< change of kinetic, elastic and gravity energy, J
     bool changed = false;           ///< any mesh
 
-    AdaptionReport& operator+=(const AdaptionReport& other);
+    AdaptationReport& operator+=(const AdaptationReport& other);
 };
 
 /// The end of a substep: refines and coarsens all adaptive cloths for what they do now, and carries
 /// the world's state over. Results depend on the world alone.
-class WorldAdaption {
+class WorldAdaptation {
 public:
     /// @param world    at any time; the obstacles' shapes are those at t = 0
     /// @param gravity  m/s^2
-    WorldAdaption(const World& world, const Vec3& gravity);
+    WorldAdaptation(const World& world, const Vec3& gravity);
 
     /// @param time     of the world's state, s
     /// @param contact  has just resolved the substep
     /// @param changes  of each cloth
-    AdaptionReport adapt(World& world,
-                         double time,
-                         const ContactSolver& contact,
-                         std::vector<ClothChanges>& changes);
+    AdaptationReport adapt(World& world,
+                           double time,
+                           const ContactSolver& contact,
+                           std::vector<ClothChanges>& changes);
 
     /// Forgets the meshes known: the world's are others now.
     void reset(const World& world);
@@ -43,7 +43,7 @@ private:
                      double time,
                      EditGuard* guard,
                      ClothChanges& changes,
-                     AdaptionReport& report);
+                     AdaptationReport& report);
 
     ObstacleCurvature obstacles_;
     Vec3 gravity_;

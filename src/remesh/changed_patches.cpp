@@ -23,7 +23,7 @@ slots_before(const std::vector<Index>& now, std::size_t count_now, std::size_t c
     return before;
 }
 
-/// Numbers that vertices keep through an adaption: the slot before, or one behind all those.
+/// Numbers that vertices keep through an adaptation: the slot before, or one behind all those.
 std::vector<Index>
 lasting_numbers(std::size_t old_count, std::size_t count, const ClothChanges& changes) {
     std::vector<Index> numbers(count);
@@ -38,7 +38,7 @@ lasting_numbers(std::size_t old_count, std::size_t count, const ClothChanges& ch
     return numbers;
 }
 
-/// What an adaption changed of a cloth, as it was or as it is.
+/// What an adaptation changed of a cloth, as it was or as it is.
 class Side {
 public:
     /// @param bends    slots of changed elements of bending

@@ -9,14 +9,14 @@
 
 namespace weft {
 
-/// A vertex at which an adaption changed something.
+/// A vertex at which an adaptation changed something.
 struct ChangedVertex {
     Index vertex;                     ///< of the cloth as it is now
     double area_before = 0.0;         ///< rest area, m^2; 0: it is new
     Vec3 force_change = Vec3::Zero(); ///< of the elastic forces on it, by the change, N
 };
 
-/// One place that an adaption changed, apart from all else that it changed.
+/// One place that an adaptation changed, apart from all else that it changed.
 struct ChangedPatch {
     std::vector<ChangedVertex> vertices; ///< ascending
     double gain = 0.0;                   ///< of elastic and gravity energy, J
@@ -28,7 +28,7 @@ struct PlacedCloth {
     std::span<const Vec3> x; ///< #V, m
 };
 
-/// The places that an adaption changed: connected by elements of the membrane and of bending that
+/// The places that an adaptation changed: connected by elements of the membrane and of bending that
 /// are others now.
 ///
 /// @param gravity  m/s^2

@@ -38,7 +38,7 @@ bool is_shallow(const StateTransfer& transfer, const EdgeFlip& flip) {
 
 } // namespace
 
-void add_guard(AdaptionHooks& hooks,
+void add_guard(AdaptationHooks& hooks,
                const StateTransfer& transfer,
                EditGuard* guard,
                std::size_t cloth) {
@@ -65,7 +65,7 @@ void add_guard(AdaptionHooks& hooks,
     };
 }
 
-void forbid_moves(AdaptionHooks& hooks) {
+void forbid_moves(AdaptationHooks& hooks) {
     hooks.may_flip = [](const EdgeFlip&) { return false; };
     hooks.may_remove = [](const Removal&) { return false; };
 }

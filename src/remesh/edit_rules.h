@@ -9,12 +9,12 @@ namespace weft {
 /// on, that it has room for. All that is given must outlive the hooks.
 /// @param guard  null: contact is off
 /// @param cloth  its number
-void add_guard(AdaptionHooks& hooks,
+void add_guard(AdaptationHooks& hooks,
                const StateTransfer& transfer,
                EditGuard* guard,
                std::size_t cloth);
 
 /// Lets nothing be done that moves the surface.
-void forbid_moves(AdaptionHooks& hooks);
+void forbid_moves(AdaptationHooks& hooks);
 
 } // namespace weft

@@ -36,7 +36,7 @@ struct InsertedVertex {
     Insertion insertion = Insertion::Centre;
     Index partner = k_no_index; ///< on edges: the other vertex of the pair
     Index anchor = k_no_index;  ///< an imported vertex that it descends from
-    Index born = 0;             ///< the adaption that put it in, as its caller counts
+    Index born = 0;             ///< the adaptation that put it in, as its caller counts
     std::int32_t unused = 0;    ///< no padding: the record is stored byte by byte
 };
 
@@ -54,7 +54,7 @@ struct Refinement {
     std::vector<Index> pending_flips;     ///< edges whose flip was refused, ascending
 
     std::vector<Vec3> start; ///< #vertices: where each was, or would have been, at t = 0, m
-    Index adaptions = 0;     ///< done so far
+    Index adaptations = 0;   ///< done so far
     double tolerance = 1.0;  ///< of coarseness; above 1 where the budget of triangles is short
 
     bool empty() const { return base_vertices == 0; }

@@ -67,12 +67,12 @@ void carry(const World& world, std::span<Vec3> values) {
     for_each_body(world, [&](const Body& body) { carry(body, values); });
 }
 
-std::vector<Index> adaptions_of(const World& world) {
-    std::vector<Index> adaptions;
+std::vector<Index> adaptations_of(const World& world) {
+    std::vector<Index> adaptations;
     for (const Cloth& cloth : world.cloths) {
-        adaptions.push_back(cloth.refinement.adaptions);
+        adaptations.push_back(cloth.refinement.adaptations);
     }
-    return adaptions;
+    return adaptations;
 }
 
 std::string check(const World& world) {

@@ -68,7 +68,7 @@ template <typename F> void for_each_body(const World& world, const F& f) {
 void carry(const World& world, std::span<Vec3> values);
 
 /// How often the mesh of each cloth has been adapted: other numbers, perhaps another mesh.
-std::vector<Index> adaptions_of(const World& world);
+std::vector<Index> adaptations_of(const World& world);
 
 /// What is wrong with a world (sizes, indices, values not finite), or "". For asserts and tests.
 std::string check(const World& world);

@@ -39,9 +39,9 @@ constexpr double k_greatest_motion = 0.25;
 /// part as well; fewer: impulses, which know nothing of the cloth's stiffness, do more of the work.
 constexpr int k_impact_solves = 4;
 
-/// Time between adaptions of the meshes, s, in whole substeps; a frame where frames are shorter.
+/// Time between adaptations of the meshes, s, in whole substeps; a frame where frames are shorter.
 /// Longer: folds are there before the mesh that could show them; shorter: the same mesh, dearer.
-constexpr double k_adaption_interval = 0.02;
+constexpr double k_adaptation_interval = 0.02;
 
 void add_contact(ContactReport& total, const ContactReport& substep) {
     total.contacts_obstacle = std::max(total.contacts_obstacle, substep.contacts_obstacle);
@@ -104,8 +104,8 @@ bool moves_too_far(const World& world, std::span<const Vec3> end_positions) {
 struct Stepper::Impl {
     Impl(const World& world, const SceneParams& scene, const ContactParams& contact)
         : scene(scene), implicit(std::in_place, world, scene), solver(world, contact),
-          adaption(world, scene.gravity), start(world), contact_params(contact),
-          adaptions(adaptions_of(world)) {}
+          adaptation(world, scene.gravity), start(world), contact_params(contact),
+          adaptations(adaptations_of(world)) {}
 
     bool substep(World& world, double dt, bool may_yield, FrameReport& report);
     void find_average_velocities(const World& world, double dt);
@@ -120,11 +120,11 @@ struct Stepper::Impl {
     SceneParams scene;
     std::optional<ImplicitStep> implicit;
     ContactSolver solver;
-    WorldAdaption adaption;
+    WorldAdaptation adaptation;
     StartPositions start;
     std::optional<WorldCrossings> crossings; ///< made when asked for
     ContactParams contact_params;
-    std::vector<Index> adaptions; ///< of each cloth's mesh, as it is known here
+    std::vector<Index> adaptations; ///< of each cloth's mesh, as it is known here
     std::vector<ClothChanges> changes;
     HeldVertices held;
     std::vector<Contact> contacts, met;
@@ -172,11 +172,11 @@ bool Stepper::Impl::substep(World& world, double dt, bool may_yield, FrameReport
 /// 7. adapt the mesh: to what has just been reached.
 void Stepper::Impl::adapt(World& world, double time, FrameReport& report) {
     const ScopedTime watch(report.seconds.adapt);
-    const AdaptionReport done = adaption.adapt(world, time, solver, changes);
-    adaptions = adaptions_of(world);
+    const AdaptationReport done = adaptation.adapt(world, time, solver, changes);
+    adaptations = adaptations_of(world);
     report.refined += done.refined;
     report.coarsened += done.coarsened;
-    report.adaption_energy += done.energy;
+    report.adaptation_energy += done.energy;
     if (!done.changed) {
         return;
     }
@@ -190,13 +190,13 @@ void Stepper::Impl::adapt(World& world, double time, FrameReport& report) {
 
 /// Takes up the mesh of a world that others have changed: one that is resumed, or taken back.
 void Stepper::Impl::follow_mesh(const World& world) {
-    if (adaptions == adaptions_of(world)) {
+    if (adaptations == adaptations_of(world)) {
         return;
     }
-    adaptions = adaptions_of(world);
+    adaptations = adaptations_of(world);
     implicit.emplace(world, scene);
     solver.remesh(world, start.of(world));
-    adaption.reset(world);
+    adaptation.reset(world);
 }
 
 /// Apart from contact itself, which it checks.
@@ -336,9 +336,10 @@ std::optional<FrameReport> Stepper::advance_frame(World& world,
     const double frame_start = (world.frame - 1) / impl_->scene.fps;
     const std::int64_t ticks_per_substep = std::int64_t{1} << k_most_halvings;
     const std::int64_t end = base_substeps * ticks_per_substep;
-    const std::int64_t adaption_ticks =
-        ticks_per_substep * std::clamp(std::lround(k_adaption_interval * base_substeps / frame_dt),
-                                       1L, static_cast<long>(base_substeps));
+    const std::int64_t adaptation_ticks =
+        ticks_per_substep *
+        std::clamp(std::lround(k_adaptation_interval * base_substeps / frame_dt), 1L,
+                   static_cast<long>(base_substeps));
 
     FrameReport report;
     int halvings = 0;
@@ -352,7 +353,7 @@ std::optional<FrameReport> Stepper::advance_frame(World& world,
         world.time = frame_start + frame_dt * static_cast<double>(tick) / static_cast<double>(end);
         if (impl_->substep(world, dt, halvings >= k_contact_halvings, report)) {
             tick += length;
-            if (tick % adaption_ticks == 0) {
+            if (tick % adaptation_ticks == 0) {
                 impl_->adapt(world, world.time + dt, report);
             }
             ++report.substeps;

@@ -28,7 +28,7 @@ struct FrameReport {
     int cg_iterations = 0;
     double residual = 0.0; ///< greatest relative residual of a linear solve
     int refined = 0, coarsened = 0;
-    double adaption_energy = 0.0; ///< that adaptions gave all cloths; negative: took, J
+    double adaptation_energy = 0.0; ///< that adaptations gave all cloths; negative: took, J
     ContactReport
         contact;       ///< counts: greatest over the substeps; unresolved: at the end; gap: least
     int crossings = 0; ///< verified: pairs that cross after a substep, greatest of all

@@ -162,7 +162,7 @@ TEST(ContactLegacies, LinearTractionStaysTheSameOverAnyHistory) {
                     world.masses[at(v)] * traction(cloth.material_positions[at(v)]);
                 EXPECT_LT((one.slip - expected).norm(), 1e-18) << v; // of 1e-6
             }
-            if (i % 3 != 0) { // legacies are left over to the next adaption, too
+            if (i % 3 != 0) { // legacies are left over to the next adaptation, too
                 remember_all();
             }
         }

@@ -38,7 +38,7 @@ std::map<int, std::size_t> places_of(const std::vector<int>& names) {
     return places;
 }
 
-/// Random adaptions of the world's first and last cloth, more refining than coarsening at first;
+/// Random adaptations of the world's first and last cloth, more refining than coarsening at first;
 /// `look` is called after each with world and names before and the number of the cloth.
 template <typename Look> void run_history(AdaptingWorld& sheets, const Look& look) {
     for (int i = 0; i < 12 && !testing::Test::HasFailure(); ++i) {

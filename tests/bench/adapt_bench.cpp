@@ -5,10 +5,10 @@
 
 #include <map>
 
-// What one adaption costs on meshes from a thousand triangles to a million: a patch of two hundred
-// triangles somewhere is refined twice and, in the next adaption, coarsened again. `per_event`
-// (time) of a vertex put in or taken out must not grow with the mesh, but for the memory that is
-// no longer in the caches.
+// What one adaptation costs on meshes from a thousand triangles to a million: a patch of two
+// hundred triangles somewhere is refined twice and, in the next adaptation, coarsened again.
+// `per_event` (time) of a vertex put in or taken out must not grow with the mesh, but for the
+// memory that is no longer in the caches.
 
 namespace weft {
 

@@ -39,7 +39,7 @@ TEST(EdgeMeasures, StretchIsLengthOverRestLengthOfSidesAndDiagonals) {
 TEST(EdgeMeasures, EnergyIsThatOfSpringsSummedByHand) {
     const World world = strained_grid("linear", 1.2, 1.0);
 
-    const MotionStatistics motion = Statistician(world, {}).measure(world, {}, 0).motion;
+    const MotionStatistics motion = StatisticsCollector(world, {}).measure(world, {}, 0).motion;
 
     const double diagonal = 0.1 * (std::sqrt(1.2 * 1.2 + 1.0) - std::sqrt(2.0));
     EXPECT_NEAR(motion.membrane, 0.5 * 500.0 * (20.0 * 0.02 * 0.02 + 32.0 * diagonal * diagonal),

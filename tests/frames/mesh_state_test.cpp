@@ -49,7 +49,7 @@ void expect_same_mesh(const Cloth& a, const Cloth& b) {
 
 void expect_same_records(const Refinement& a, const Refinement& b) {
     EXPECT_EQ(a.base_vertices, b.base_vertices);
-    EXPECT_EQ(a.adaptions, b.adaptions);
+    EXPECT_EQ(a.adaptations, b.adaptations);
     EXPECT_EQ(a.tolerance, b.tolerance);
     EXPECT_EQ(a.locked, b.locked);
     EXPECT_EQ(a.frozen, b.frozen);

@@ -35,7 +35,7 @@ template <typename F> void move(World& world, const F& f) {
 }
 
 FrameStatistics measure(const World& world) {
-    return Statistician(world, SceneParams{}).measure(world, {}, 0);
+    return StatisticsCollector(world, SceneParams{}).measure(world, {}, 0);
 }
 
 constexpr double k_volume = 0.16 * 0.16 * 0.16;

@@ -32,7 +32,7 @@ TEST(Statistics, PutEachNumberUnderItsName) {
     statistics.strain = {0.9, 1.0, 1.1, 1.2, 7.5};
     statistics.motion = {1.0, 2.0, 3.0, 4.0, Vec3(5.0, 6.0, 7.0), 8.0};
     statistics.least_angle_deg = 18.4;
-    statistics.report.adaption_energy = -0.25;
+    statistics.report.adaptation_energy = -0.25;
     statistics.state_hash = 0xab;
 
     const CsvTable table = table_of(statistics);
@@ -53,7 +53,7 @@ TEST(Statistics, PutEachNumberUnderItsName) {
     EXPECT_EQ(value("gravity_J"), 4.0);
     EXPECT_EQ(value("com_z_m"), 7.0);
     EXPECT_EQ(value("least_angle_deg"), 18.4);
-    EXPECT_EQ(value("adaption_J"), -0.25);
+    EXPECT_EQ(value("adaptation_J"), -0.25);
     EXPECT_EQ(value("max_speed_m_s"), 8.0);
     EXPECT_EQ(table.rows[0][static_cast<std::size_t>(table.find_column("state_hash"))],
               "00000000000000ab");
@@ -76,7 +76,7 @@ TEST(Statistics, OfAFallingSheetAreThoseOfAPointMass) {
     const SceneParams scene; // gravity 9.81 m/s^2
     const double mass = world.cloths[0].params.fabric.area_density * 1.0;
 
-    const MotionStatistics motion = Statistician(world, scene).measure(world, {}, 0).motion;
+    const MotionStatistics motion = StatisticsCollector(world, scene).measure(world, {}, 0).motion;
 
     EXPECT_NEAR(motion.kinetic, 0.5 * mass * 9.0, 1e-12);
     EXPECT_NEAR(motion.gravity, mass * 9.81 * 2.0, 1e-12);
@@ -93,7 +93,7 @@ TEST(Statistics, OfATautSheetHoldItsMembraneEnergy) {
     }
     const FabricParams& fabric = world.cloths[0].params.fabric;
 
-    const FrameStatistics statistics = Statistician(world, {}).measure(world, {}, 0);
+    const FrameStatistics statistics = StatisticsCollector(world, {}).measure(world, {}, 0);
 
     // Equal stretch both ways on 1 m^2: W = E e^2 / (1 - nu), isotropic plane stress.
     const double expected = fabric.stretch_stiffness[0] * 0.01 / (1.0 - fabric.poisson);
@@ -122,7 +122,7 @@ TEST(Statistics, LeastAngleIsThatOfTheRestShape) {
         x.x() += 0.5 * x.z();
     }
 
-    const FrameStatistics statistics = Statistician(world, {}).measure(world, {}, 0);
+    const FrameStatistics statistics = StatisticsCollector(world, {}).measure(world, {}, 0);
 
     EXPECT_NEAR(statistics.least_angle_deg, 45.0, 1e-9);
 }
@@ -132,12 +132,12 @@ TEST(Statistics, AreTheSameTextForAnyThreadCount) {
     for (std::size_t i = 0; i < world.vertex_count(); ++i) {
         world.positions[i].y() = 0.01 * std::sin(0.37 * static_cast<double>(i));
     }
-    Statistician statistician(world, {});
+    StatisticsCollector statistics_collector(world, {});
 
     set_thread_count(1);
-    const std::string one = statistics_row(statistician.measure(world, {}, 0));
+    const std::string one = statistics_row(statistics_collector.measure(world, {}, 0));
     set_thread_count(2);
-    const std::string two = statistics_row(statistician.measure(world, {}, 0));
+    const std::string two = statistics_row(statistics_collector.measure(world, {}, 0));
     set_thread_count(0);
 
     EXPECT_EQ(one, two);

@@ -14,7 +14,7 @@ using test::SheetMotion;
 
 const Vec3 k_gravity(0.0, -9.81, 0.0); // m/s^2
 
-/// What absorb_gain() made of one adaption of a sheet in waves.
+/// What absorb_gain() made of one adaptation of a sheet in waves.
 struct Absorption {
     double gain = 0.0, left = 0.0; ///< of all patches that gained, J
     double fall = 0.0;             ///< of the whole cloth's energy, J
@@ -64,7 +64,7 @@ Absorption absorb(AdaptingWorld& sheets, double share, double farthest, bool hol
 TEST(AbsorbGain, TakesMostOfWhatFlipsAcrossFoldsGave) {
     AdaptingWorld waves(SheetMotion::Wave, 2);
     double gain = 0.0, left = 0.0;
-    for (int adaption = 0; adaption < 12; ++adaption) {
+    for (int adaptation = 0; adaptation < 12; ++adaptation) {
         const Absorption done = absorb(waves, 0.8, 0.02, false);
         gain += done.gain;
         left += std::max(0.0, done.left);
@@ -76,7 +76,7 @@ TEST(AbsorbGain, TakesMostOfWhatFlipsAcrossFoldsGave) {
 TEST(AbsorbGain, SaysHowMuchTheClothGaveWay) {
     for (const SheetMotion motion : {SheetMotion::Wave, SheetMotion::Crumple}) {
         AdaptingWorld sheets(motion, 4);
-        for (int adaption = 0; adaption < 12; ++adaption) {
+        for (int adaptation = 0; adaptation < 12; ++adaptation) {
             const Absorption done = absorb(sheets, 0.6, 0.01, false);
             EXPECT_NEAR(done.gain - done.left, done.fall, 1e-9 * (1.0 + std::abs(done.energy)));
             EXPECT_TRUE(done.named_all);
@@ -88,7 +88,7 @@ TEST(AbsorbGain, MovesNoVertexTooFarAndNoneThatIsHeld) {
     constexpr double k_farthest = 1e-3; // m
     AdaptingWorld sheets(SheetMotion::Crumple, 6);
     double farthest = 0.0;
-    for (int adaption = 0; adaption < 12; ++adaption) {
+    for (int adaptation = 0; adaptation < 12; ++adaptation) {
         const Absorption done = absorb(sheets, 0.6, k_farthest, true);
         EXPECT_LE(done.farthest, k_farthest * (1.0 + 1e-12));
         EXPECT_FALSE(done.moved_a_held_one);

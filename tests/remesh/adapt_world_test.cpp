@@ -18,7 +18,7 @@ namespace weft {
 namespace {
 
 constexpr double k_dt = 1.0 / 150.0; // s
-constexpr int k_between = 3;         // substeps from one adaption to the next
+constexpr int k_between = 3;         // substeps from one adaptation to the next
 
 /// An adaptive sheet that nothing touches.
 class AdaptiveFlight {
@@ -28,20 +28,20 @@ public:
           is_two_step_(scene.scene.integrator == Integrator::Bdf2) {
         make_adaptive(world);
         implicit_.emplace(world, scene.scene);
-        adaption_.emplace(world, scene.scene.gravity);
+        adaptation_.emplace(world, scene.scene.gravity);
         ContactParams off;
         off.enabled = false;
         contact_.emplace(world, off);
     }
 
-    /// Moves to the next adaption and carries it out; `look` is given the world before and, for
+    /// Moves to the next adaptation and carries it out; `look` is given the world before and, for
     /// each vertex, the one that it was, or k_no_index.
     template <typename Look> void advance(const Look& look) {
         for (int i = 0; i < k_between; ++i) {
             step();
         }
         const World before = world;
-        report = adaption_->adapt(world, world.time, *contact_, changes_);
+        report = adaptation_->adapt(world, world.time, *contact_, changes_);
         if (!report.changed) {
             return;
         }
@@ -55,7 +55,7 @@ public:
     }
 
     World world;
-    AdaptionReport report; ///< of the last adaption
+    AdaptationReport report; ///< of the last adaptation
 
 private:
     void step() {
@@ -72,7 +72,7 @@ private:
 
     bool is_two_step_;
     std::optional<ImplicitStep> implicit_;
-    std::optional<WorldAdaption> adaption_;
+    std::optional<WorldAdaptation> adaptation_;
     std::optional<ContactSolver> contact_;
     HeldVertices held_;
     std::vector<Vec3> end_positions_, end_velocities_;
@@ -112,14 +112,14 @@ void tumble(World& world) {
 
 } // namespace
 
-TEST(WorldAdaption, ChangesNoVelocityByMoreThanATwentiethOfTheRootMeanSquare) {
+TEST(WorldAdaptation, ChangesNoVelocityByMoreThanATwentiethOfTheRootMeanSquare) {
     for (const Integrator integrator : {Integrator::Euler, Integrator::Bdf2}) {
         for (const bool is_free : {false, true}) {
             AdaptiveFlight flight(is_free ? in_vacuum(integrator) : hanging(integrator));
             if (is_free) {
                 tumble(flight.world);
             }
-            int adaptions = 0;
+            int adaptations = 0;
             for (int i = 0; i < 50; ++i) {
                 flight.advance([&](const World& before, const std::vector<Index>& from) {
                     double squares = 0.0, greatest = 0.0;
@@ -138,10 +138,10 @@ TEST(WorldAdaption, ChangesNoVelocityByMoreThanATwentiethOfTheRootMeanSquare) {
                         }
                     }
                     EXPECT_LT(greatest, 0.05 * std::sqrt(squares / count));
-                    ++adaptions;
+                    ++adaptations;
                 });
             }
-            EXPECT_GT(adaptions, 15);
+            EXPECT_GT(adaptations, 15);
         }
     }
 }
@@ -162,7 +162,7 @@ double greatest_stretch(const Cloth& cloth, std::span<const Vec3> x) {
 
 /// A flip of a fold of 20 degrees shortens what lies across it and stretches nothing by more than
 /// the inverse of the cosine of half of it.
-TEST(WorldAdaption, StretchesClothByLittle) {
+TEST(WorldAdaptation, StretchesClothByLittle) {
     AdaptiveFlight flight(in_vacuum(Integrator::Euler));
     tumble(flight.world);
     double rise = 0.0;
@@ -175,7 +175,7 @@ TEST(WorldAdaption, StretchesClothByLittle) {
     EXPECT_LT(rise, 1.0 / std::cos(10.0 * std::numbers::pi / 180.0) - 1.0);
 }
 
-TEST(WorldAdaption, CountsWhatEnergyItGave) {
+TEST(WorldAdaptation, CountsWhatEnergyItGave) {
     for (const bool is_free : {false, true}) {
         AdaptiveFlight flight(is_free ? in_vacuum(Integrator::Euler) : hanging(Integrator::Euler));
         if (is_free) {
@@ -201,7 +201,7 @@ TEST(WorldAdaption, CountsWhatEnergyItGave) {
 /// What flips and merges strain is absorbed, and what is left of it taken off the motion. Without
 /// that they would give 0.11 of the sheet's energy; most of the rest belongs to its spin, which
 /// masses that came nearer to the axis keep up, and is lost when they go back.
-TEST(WorldAdaption, GivesLittleEnergy) {
+TEST(WorldAdaptation, GivesLittleEnergy) {
     for (const Integrator integrator : {Integrator::Euler, Integrator::Bdf2}) {
         AdaptiveFlight flight(in_vacuum(integrator));
         tumble(flight.world);
@@ -216,7 +216,7 @@ TEST(WorldAdaption, GivesLittleEnergy) {
     }
 }
 
-TEST(WorldAdaption, GivesATumblingSheetLittleMotionAndNoEnergyInTheEnd) {
+TEST(WorldAdaptation, GivesATumblingSheetLittleMotionAndNoEnergyInTheEnd) {
     for (const Integrator integrator : {Integrator::Euler, Integrator::Bdf2}) {
         AdaptiveFlight flight(in_vacuum(integrator));
         tumble(flight.world);

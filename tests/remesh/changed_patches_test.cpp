@@ -68,9 +68,9 @@ protected:
 
 TEST_P(ChangedPatches, AddUpToWhatTheWholeClothGains) {
     AdaptingWorld crumpled = sheets(SheetMotion::Crumple);
-    for (int adaption = 0; adaption < 30; ++adaption) {
+    for (int adaptation = 0; adaptation < 30; ++adaptation) {
         const World before = crumpled.world;
-        const ClothChanges changes = crumpled.adapt(0, 12, adaption < 10 ? 0.9 : 0.4);
+        const ClothChanges changes = crumpled.adapt(0, 12, adaptation < 10 ? 0.9 : 0.4);
         const Cloth& cloth = crumpled.world.cloths[0];
         const auto x = crumpled.world.positions_of(cloth);
         const auto old_x = before.positions_of(before.cloths[0]);
@@ -89,10 +89,10 @@ TEST_P(ChangedPatches, AddUpToWhatTheWholeClothGains) {
 
 TEST_P(ChangedPatches, KnowHowTheForcesOnTheirVerticesChanged) {
     AdaptingWorld crumpled = sheets(SheetMotion::Crumple);
-    for (int adaption = 0; adaption < 20; ++adaption) {
+    for (int adaptation = 0; adaptation < 20; ++adaptation) {
         const World before = crumpled.world;
         const std::map<int, Vec3> old_forces = named_forces(crumpled);
-        const ClothChanges changes = crumpled.adapt(0, 12, adaption < 10 ? 0.9 : 0.4);
+        const ClothChanges changes = crumpled.adapt(0, 12, adaptation < 10 ? 0.9 : 0.4);
         const Cloth& cloth = crumpled.world.cloths[0];
 
         std::map<Index, Vec3> found;
@@ -121,7 +121,7 @@ TEST_P(ChangedPatches, KnowHowTheForcesOnTheirVerticesChanged) {
 TEST(FindChangedPatches, TellsPlacesApart) {
     AdaptingWorld flat(SheetMotion::Spin, 3);
     bool are_apart = false;
-    for (int adaption = 0; adaption < 6; ++adaption) {
+    for (int adaptation = 0; adaptation < 6; ++adaptation) {
         const World before = flat.world;
         const ClothChanges changes = flat.adapt(0, 3, 1.0);
         const Cloth& cloth = flat.world.cloths[0];

@@ -21,7 +21,7 @@ double elastic_energy(const Cloth& cloth, std::span<const Vec3> x) {
 struct RefinedSheet {
     explicit RefinedSheet(SheetMotion motion, BendModel model, double bend_stiffness) {
         AdaptingWorld sheets(motion, 5);
-        for (int adaption = 0; adaption < 4; ++adaption) {
+        for (int adaptation = 0; adaptation < 4; ++adaptation) {
             sheets.adapt(0, 8, 1.0);
         }
         cloth = sheets.world.cloths[0];

@@ -60,15 +60,15 @@ Scene soft_sheet_on(Ground ground, double below_limit_deg) {
     return scene;
 }
 
-/// Cuts all triangles of the first cloth, as an adaption would.
+/// Cuts all triangles of the first cloth, as an adaptation would.
 void refine_all(World& world) {
     Cloth& cloth = world.cloths[0];
     Sqrt3Mesh mesh(cloth);
     StateTransfer transfer(world, cloth);
-    AdaptionHooks hooks;
+    AdaptationHooks hooks;
     hooks.insert = [&](const VertexParents& place) { transfer.insert(place); };
     hooks.move = [&](Index from, Index to) { transfer.move(from, to); };
-    mesh.begin(cloth, hooks, {.max_level = 2, .adaption = ++cloth.refinement.adaptions});
+    mesh.begin(cloth, hooks, {.max_level = 2, .adaptation = ++cloth.refinement.adaptations});
     const auto count = static_cast<Index>(cloth.triangles.size());
     for (Index t = 0; t < count; ++t) {
         mesh.refine(t);

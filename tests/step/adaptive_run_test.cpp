@@ -84,17 +84,18 @@ Scene sheet_over_sphere() {
     return scene;
 }
 
-/// Refines every triangle of a cloth once, as an adaption would.
+/// Refines every triangle of a cloth once, as an adaptation would.
 void refine_by_hand(World& world, std::size_t index) {
     Cloth& cloth = world.cloths[index];
     Sqrt3Mesh mesh(cloth);
     StateTransfer transfer(world, cloth);
-    AdaptionHooks hooks;
+    AdaptationHooks hooks;
     hooks.insert = [&](const VertexParents& place) { transfer.insert(place); };
     hooks.move = [&](Index from, Index to) { transfer.move(from, to); };
     const std::size_t triangles = cloth.triangles.size();
-    mesh.begin(cloth, std::move(hooks),
-               {.max_level = cloth.params.adapt.levels, .adaption = ++cloth.refinement.adaptions});
+    mesh.begin(
+        cloth, std::move(hooks),
+        {.max_level = cloth.params.adapt.levels, .adaptation = ++cloth.refinement.adaptations});
     for (std::size_t t = 0; t < triangles; ++t) {
         if (cloth.refinement.triangles[t].generation == 0) {
             mesh.refine(static_cast<Index>(t));
@@ -106,7 +107,7 @@ void refine_by_hand(World& world, std::size_t index) {
 
 } // namespace
 
-TEST(AdaptiveRun, TheMatrixTakesPartOfTheTimeOfAdaption) {
+TEST(AdaptiveRun, TheMatrixTakesPartOfTheTimeOfAdaptation) {
     AdaptiveWorld run(sheet_over_sphere());
     StageSeconds seconds;
     while (run.world.frame < 20 && run.refined == 0) {
@@ -227,12 +228,12 @@ TEST(AdaptiveRun, AStopTakesTheMeshBackToTheFramesStart) {
 
     run.world = straight;
     int asked = 0;
-    const auto stop = [&] { return ++asked > 3; }; // after an adaption
+    const auto stop = [&] { return ++asked > 3; }; // after an adaptation
     EXPECT_FALSE(run.stepper->advance_frame(run.world, stop));
 
     EXPECT_EQ(state_hash(run.world), state_hash(before));
     EXPECT_EQ(run.cloth().triangles, before.cloths[0].triangles);
-    EXPECT_EQ(run.cloth().refinement.adaptions, before.cloths[0].refinement.adaptions);
+    EXPECT_EQ(run.cloth().refinement.adaptations, before.cloths[0].refinement.adaptations);
     EXPECT_EQ(run.world.masses, before.masses);
     run.advance(1);
     EXPECT_EQ(state_hash(run.world), state_hash(after));
@@ -248,8 +249,8 @@ TEST(AdaptiveRun, AdaptsInShortFramesToo) {
 
         run.advance(static_cast<int>(0.05 * fps));
 
-        EXPECT_GT(run.cloth().refinement.adaptions, 1) << fps;
-        EXPECT_LE(run.cloth().refinement.adaptions, static_cast<Index>(0.05 * fps) + 3) << fps;
+        EXPECT_GT(run.cloth().refinement.adaptations, 1) << fps;
+        EXPECT_LE(run.cloth().refinement.adaptations, static_cast<Index>(0.05 * fps) + 3) << fps;
     }
 }
 

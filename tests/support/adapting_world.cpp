@@ -99,8 +99,8 @@ void AdaptingWorld::name_all() {
     }
 }
 
-AdaptionHooks AdaptingWorld::follow(std::size_t index, StateTransfer& transfer) {
-    AdaptionHooks hooks;
+AdaptationHooks AdaptingWorld::follow(std::size_t index, StateTransfer& transfer) {
+    AdaptationHooks hooks;
     hooks.insert = [this, index, &transfer](const VertexParents& place) {
         transfer.insert(place);
         Place mean{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
@@ -125,8 +125,9 @@ ClothChanges AdaptingWorld::adapt(std::size_t index, int edits, double share) {
     Cloth& cloth = world.cloths[index];
     Sqrt3Mesh& mesh = *meshes_[index];
     StateTransfer transfer(world, cloth);
-    mesh.begin(cloth, follow(index, transfer),
-               {.max_level = cloth.params.adapt.levels, .adaption = ++cloth.refinement.adaptions});
+    mesh.begin(
+        cloth, follow(index, transfer),
+        {.max_level = cloth.params.adapt.levels, .adaptation = ++cloth.refinement.adaptations});
     for (int k = 0; k < edits; ++k) {
         const auto t = static_cast<Index>(random() % cloth.triangles.size());
         const auto v = static_cast<Index>(random() % at(cloth.vertex_count));

@@ -26,10 +26,10 @@ class AdaptingWorld {
 public:
     AdaptingWorld(SheetMotion motion, unsigned seed);
 
-    /// One adaption of cloth number `index` of a few random edits; `share` of them refine.
+    /// One adaptation of cloth number `index` of a few random edits; `share` of them refine.
     ClothChanges adapt(std::size_t index, int edits, double share);
 
-    /// Adaptions of all adaptive cloths until nothing is left to take out.
+    /// Adaptations of all adaptive cloths until nothing is left to take out.
     void coarsen_all();
 
     /// A name for each vertex of the world, that it keeps as long as it is there.
@@ -47,7 +47,7 @@ public:
 private:
     void set_motion(SheetMotion motion);
     void name_all();
-    AdaptionHooks follow(std::size_t index, StateTransfer& transfer);
+    AdaptationHooks follow(std::size_t index, StateTransfer& transfer);
     Vec3 noise(double size);
 
     std::vector<std::vector<int>> names_; ///< of each cloth, by vertex

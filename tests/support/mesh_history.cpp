@@ -56,8 +56,8 @@ MeshHistory::Name MeshHistory::name_of(const VertexParents& place) const {
     return mixed(name);
 }
 
-AdaptionHooks MeshHistory::hooks() {
-    AdaptionHooks hooks;
+AdaptationHooks MeshHistory::hooks() {
+    AdaptationHooks hooks;
     hooks.insert = [&](const VertexParents& place) {
         ASSERT_EQ(at(place.vertex), names_.size());
         names_.push_back(name_of(place));
@@ -74,7 +74,7 @@ AdaptionHooks MeshHistory::hooks() {
 void MeshHistory::begin() {
     before_ = cloth;
     names_before_ = names_;
-    mesh.begin(cloth, hooks(), {.max_level = max_level_, .adaption = ++adaption_});
+    mesh.begin(cloth, hooks(), {.max_level = max_level_, .adaptation = ++adaptation_});
 }
 
 void MeshHistory::finish() {
@@ -116,8 +116,8 @@ void MeshHistory::expect_true_changes(const ClothChanges& changes) const {
     EXPECT_EQ(changes.masses, masses);
 }
 
-void MeshHistory::run(int adaptions, int edits, double share) {
-    for (int i = 0; i < adaptions && !testing::Test::HasFailure(); ++i) {
+void MeshHistory::run(int adaptations, int edits, double share) {
+    for (int i = 0; i < adaptations && !testing::Test::HasFailure(); ++i) {
         begin();
         mesh.retry_flips();
         for (int k = 0; k < edits; ++k) {

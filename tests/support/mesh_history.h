@@ -18,21 +18,21 @@ public:
 
     MeshHistory(const Cloth& cloth, unsigned seed, Index max_level = 4);
 
-    /// Adaptions of a few random edits each; after each the cloth is looked through (failures are
+    /// Adaptations of a few random edits each; after each the cloth is looked through (failures are
     /// GoogleTest's). `share` of the edits refine, the others remove.
-    void run(int adaptions, int edits, double share);
+    void run(int adaptations, int edits, double share);
 
-    /// Refines every triangle that there is once, in one adaption.
+    /// Refines every triangle that there is once, in one adaptation.
     void refine_all();
 
-    /// Refines, in one adaption, the triangles whose corners are nearest to a place, in material
+    /// Refines, in one adaptation, the triangles whose corners are nearest to a place, in material
     /// positions.
     void refine_around(const Vec2& place);
 
     /// Level of the finest triangle.
     int finest_level() const;
 
-    /// Removes all that was put in, at random, with as few adaptions as it takes.
+    /// Removes all that was put in, at random, with as few adaptations as it takes.
     void coarsen_all();
 
     /// Tries all flips that wait.
@@ -58,12 +58,12 @@ public:
 private:
     void begin();
     void finish();
-    AdaptionHooks hooks();
+    AdaptationHooks hooks();
     bool chance(double share);
     Name name_of(const VertexParents& place) const;
     void expect_true_changes(const ClothChanges& changes) const;
 
-    Index max_level_, adaption_ = 0;
+    Index max_level_, adaptation_ = 0;
     double refused_ = 0.0;
     std::vector<Name> names_; ///< by vertex
     Cloth before_;            ///< at begin

@@ -30,9 +30,9 @@ struct Removal {
     std::vector<Triangle> merged;        ///< and these triangles are left
 };
 
-/// What the caller of an adaption has a say in. Empty functions allow, or do nothing. They must not
-/// edit the cloth. Vertices are the cloth's own, as they are at the time of the call.
-struct AdaptionHooks {
+/// What the caller of an adaptation has a say in. Empty functions allow, or do nothing. They must
+/// not edit the cloth. Vertices are the cloth's own, as they are at the time of the call.
+struct AdaptationHooks {
     std::function<bool(const EdgeFlip&)> may_flip;    ///< false: it waits for retry_flips()
     std::function<bool(const Removal&)> may_remove;   ///< false: nothing of it is done
     std::function<void(const VertexParents&)> insert; ///< is in the mesh now, on the old surface
@@ -43,11 +43,11 @@ struct AdaptionHooks {
 /// 3^15 triangles for one; the record of parts has two bits for each level.
 inline constexpr Index k_most_levels = 15;
 
-/// What bounds an adaption.
-struct AdaptionLimits {
+/// What bounds an adaptation.
+struct AdaptationLimits {
     Index max_level = 0; ///< no triangle becomes finer, 0..k_most_levels
     Index max_triangles = std::numeric_limits<Index>::max(); ///< that refining may lead to
-    Index adaption = 0; ///< number of this adaption: `born` of the vertices that it puts in
+    Index adaptation = 0; ///< number of this adaptation: `born` of the vertices that it puts in
 };
 
 } // namespace weft

@@ -1,4 +1,4 @@
-#include "adapt/adaption_plan.h"
+#include "adapt/adaptation_plan.h"
 
 #include <algorithm>
 #include <numeric>
@@ -7,7 +7,7 @@ namespace weft {
 
 namespace {
 
-/// Changes of the tolerance in one adaption. Faster: triangles come and go at the budget.
+/// Changes of the tolerance in one adaptation. Faster: triangles come and go at the budget.
 constexpr double k_raise = 1.1;
 constexpr double k_lower = 0.98;
 
@@ -40,7 +40,7 @@ std::vector<Index> vertices_to_remove(const Cloth& cloth, std::span<const double
     std::vector<Index> vertices;
     for (std::size_t i = 0; i < count; ++i) {
         if (around[i] < k_coarsen_share * refinement.tolerance &&
-            refinement.adaptions - refinement.vertices[i].born >= k_dwell) {
+            refinement.adaptations - refinement.vertices[i].born >= k_dwell) {
             vertices.push_back(refinement.base_vertices + static_cast<Index>(i));
         }
     }
@@ -52,7 +52,7 @@ std::vector<Index> vertices_to_remove(const Cloth& cloth, std::span<const double
 
 } // namespace
 
-AdaptionPlan plan_adaption(const Cloth& cloth, std::span<const double> coarseness) {
+AdaptationPlan plan_adaptation(const Cloth& cloth, std::span<const double> coarseness) {
     return {triangles_to_refine(cloth, coarseness), vertices_to_remove(cloth, coarseness)};
 }
 

@@ -26,14 +26,14 @@ struct TwoTriangles {
     Cloth cloth = test::adaptive_sheet(one_diagonal_sheet(1, 1, 1.0, 1.0));
     Sqrt3Mesh mesh{cloth};
 
-    void begin(AdaptionHooks hooks) {
-        mesh.begin(cloth, std::move(hooks), {.max_level = 4, .adaption = 7});
+    void begin(AdaptationHooks hooks) {
+        mesh.begin(cloth, std::move(hooks), {.max_level = 4, .adaptation = 7});
     }
 };
 
 } // namespace
 
-TEST(AdaptionHooks, InsertedVerticesAreNamedWithParentsAndWeights) {
+TEST(AdaptationHooks, InsertedVerticesAreNamedWithParentsAndWeights) {
     TwoTriangles two;
     const Triangle parent = two.cloth.triangles[0];
     std::vector<VertexParents> inserted;
@@ -64,7 +64,7 @@ TEST(AdaptionHooks, InsertedVerticesAreNamedWithParentsAndWeights) {
     two.mesh.finish();
 }
 
-TEST(AdaptionHooks, FlipIsAskedForWithTheEdgeAndItsApexes) {
+TEST(AdaptationHooks, FlipIsAskedForWithTheEdgeAndItsApexes) {
     TwoTriangles two;
     std::vector<EdgeFlip> asked;
     two.begin({.may_flip = [&](const EdgeFlip& flip) {
@@ -92,7 +92,7 @@ TEST(AdaptionHooks, FlipIsAskedForWithTheEdgeAndItsApexes) {
     EXPECT_TRUE(two.cloth.refinement.pending_flips.empty());
 }
 
-TEST(AdaptionHooks, RemovalIsDescribedBeforeAnythingOfItIsDone) {
+TEST(AdaptationHooks, RemovalIsDescribedBeforeAnythingOfItIsDone) {
     TwoTriangles two;
     const Triangle parent = two.cloth.triangles[0];
     two.begin({});
@@ -131,7 +131,7 @@ TEST(AdaptionHooks, RemovalIsDescribedBeforeAnythingOfItIsDone) {
     two.mesh.finish();
 }
 
-TEST(AdaptionHooks, ARefusedRemovalLeavesTheMeshAlone) {
+TEST(AdaptationHooks, ARefusedRemovalLeavesTheMeshAlone) {
     TwoTriangles two;
     two.begin({});
     two.mesh.refine(0);
@@ -146,7 +146,7 @@ TEST(AdaptionHooks, ARefusedRemovalLeavesTheMeshAlone) {
     EXPECT_EQ(two.cloth.triangles, before);
 }
 
-TEST(AdaptionHooks, TheLastVertexTakesTheSlotOfOneRemoved) {
+TEST(AdaptationHooks, TheLastVertexTakesTheSlotOfOneRemoved) {
     TwoTriangles two;
     two.begin({});
     two.mesh.refine(0);

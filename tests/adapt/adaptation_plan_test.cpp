@@ -1,4 +1,4 @@
-#include "adapt/adaption_plan.h"
+#include "adapt/adaptation_plan.h"
 #include "support/adaptive_cloths.h"
 #include "support/mesh_history.h"
 
@@ -21,7 +21,7 @@ std::vector<double> everywhere(const Cloth& cloth, double coarseness) {
     return std::vector<double>(cloth.triangles.size(), coarseness);
 }
 
-TEST(AdaptionPlan, RefinesWhatIsCoarserThanTheToleranceTheCoarsestFirst) {
+TEST(AdaptationPlan, RefinesWhatIsCoarserThanTheToleranceTheCoarsestFirst) {
     Cloth cloth = refined_sheet(0);
     std::vector<double> coarseness = everywhere(cloth, 0.5);
     coarseness[3] = 1.5;
@@ -29,53 +29,53 @@ TEST(AdaptionPlan, RefinesWhatIsCoarserThanTheToleranceTheCoarsestFirst) {
     coarseness[9] = 1.0; // just fine enough
     coarseness[20] = 1.5;
 
-    EXPECT_EQ(plan_adaption(cloth, coarseness).refine, (std::vector<Index>{7, 3, 20}));
+    EXPECT_EQ(plan_adaptation(cloth, coarseness).refine, (std::vector<Index>{7, 3, 20}));
     cloth.refinement.tolerance = 2.0;
-    EXPECT_EQ(plan_adaption(cloth, coarseness).refine, (std::vector<Index>{7}));
+    EXPECT_EQ(plan_adaptation(cloth, coarseness).refine, (std::vector<Index>{7}));
 }
 
-TEST(AdaptionPlan, NothingIsToBeDoneOnAnImportedMeshThatIsFineEnough) {
+TEST(AdaptationPlan, NothingIsToBeDoneOnAnImportedMeshThatIsFineEnough) {
     const Cloth cloth = refined_sheet(0);
 
-    EXPECT_TRUE(plan_adaption(cloth, everywhere(cloth, 0.0)).empty());
-    EXPECT_TRUE(plan_adaption(cloth, everywhere(cloth, 1.0)).empty());
+    EXPECT_TRUE(plan_adaptation(cloth, everywhere(cloth, 0.0)).empty());
+    EXPECT_TRUE(plan_adaptation(cloth, everywhere(cloth, 1.0)).empty());
 }
 
-TEST(AdaptionPlan, TrianglesStayWiderThanTheCloth) {
+TEST(AdaptationPlan, TrianglesStayWiderThanTheCloth) {
     Cloth cloth = refined_sheet(0); // of 1/32 m^2: parts are sqrt(1/96) = 0.102 m wide
     const auto thickness = [&](double value) {
         cloth.params.fabric.thickness = value;
-        return plan_adaption(cloth, everywhere(cloth, 2.0)).refine.size();
+        return plan_adaptation(cloth, everywhere(cloth, 2.0)).refine.size();
     };
 
     EXPECT_EQ(thickness(0.102 / k_least_width * 1.01), 0u);
     EXPECT_EQ(thickness(0.102 / k_least_width * 0.99), cloth.triangles.size());
 }
 
-TEST(AdaptionPlan, TakesOutOnlyWhatHasStayedLongEnough) {
+TEST(AdaptationPlan, TakesOutOnlyWhatHasStayedLongEnough) {
     Cloth cloth = refined_sheet(1);
     Refinement& refinement = cloth.refinement;
     const std::size_t inserted = refinement.vertices.size();
     ASSERT_GT(inserted, 1u);
-    refinement.adaptions = refinement.vertices[0].born + k_dwell - 1;
-    EXPECT_TRUE(plan_adaption(cloth, everywhere(cloth, 0.0)).remove.empty());
-    ++refinement.adaptions;
-    EXPECT_EQ(plan_adaption(cloth, everywhere(cloth, 0.0)).remove.size(), inserted);
+    refinement.adaptations = refinement.vertices[0].born + k_dwell - 1;
+    EXPECT_TRUE(plan_adaptation(cloth, everywhere(cloth, 0.0)).remove.empty());
+    ++refinement.adaptations;
+    EXPECT_EQ(plan_adaptation(cloth, everywhere(cloth, 0.0)).remove.size(), inserted);
 
-    refinement.vertices[1].born = refinement.adaptions;
+    refinement.vertices[1].born = refinement.adaptations;
 
-    const std::vector<Index> remove = plan_adaption(cloth, everywhere(cloth, 0.0)).remove;
+    const std::vector<Index> remove = plan_adaptation(cloth, everywhere(cloth, 0.0)).remove;
     EXPECT_EQ(remove.size(), inserted - 1);
     EXPECT_EQ(std::count(remove.begin(), remove.end(), refinement.base_vertices + 1), 0);
 }
 
-TEST(AdaptionPlan, KeepsAVertexWhileAnyTriangleAtItIsNeeded) {
+TEST(AdaptationPlan, KeepsAVertexWhileAnyTriangleAtItIsNeeded) {
     Cloth cloth = refined_sheet(1);
-    cloth.refinement.adaptions = 100;
+    cloth.refinement.adaptations = 100;
     std::vector<double> coarseness = everywhere(cloth, 0.99 * k_coarsen_share);
     coarseness[5] = 1.01 * k_coarsen_share;
 
-    const AdaptionPlan plan = plan_adaption(cloth, coarseness);
+    const AdaptationPlan plan = plan_adaptation(cloth, coarseness);
 
     EXPECT_TRUE(plan.refine.empty());
     for (Index v = cloth.refinement.base_vertices; v < cloth.vertex_count; ++v) {
@@ -85,11 +85,11 @@ TEST(AdaptionPlan, KeepsAVertexWhileAnyTriangleAtItIsNeeded) {
     }
 }
 
-TEST(AdaptionPlan, TakesTheFinestOutFirst) {
+TEST(AdaptationPlan, TakesTheFinestOutFirst) {
     Cloth cloth = refined_sheet(3);
-    cloth.refinement.adaptions = 100;
+    cloth.refinement.adaptations = 100;
 
-    const std::vector<Index> remove = plan_adaption(cloth, everywhere(cloth, 0.0)).remove;
+    const std::vector<Index> remove = plan_adaptation(cloth, everywhere(cloth, 0.0)).remove;
 
     ASSERT_EQ(remove.size(), cloth.refinement.vertices.size());
     EXPECT_TRUE(std::is_sorted(remove.begin(), remove.end(), [&](Index a, Index b) {
@@ -100,12 +100,12 @@ TEST(AdaptionPlan, TakesTheFinestOutFirst) {
 
 /// Coarseness goes with a triangle's width (compression and velocity less so): what is put in just
 /// above the tolerance is 1/sqrt(3) of it after, and what is taken out below the share sqrt(3).
-TEST(AdaptionPlan, DoesNotTakeOutWhatItWouldPutInAgain) {
+TEST(AdaptationPlan, DoesNotTakeOutWhatItWouldPutInAgain) {
     EXPECT_LT(k_coarsen_share * std::sqrt(3.0), 1.0);
     EXPECT_GT(1.0 / std::sqrt(3.0), k_coarsen_share);
 }
 
-TEST(AdaptionTolerance, RisesWhileTrianglesAreShortAndComesBackToOne) {
+TEST(AdaptationTolerance, RisesWhileTrianglesAreShortAndComesBackToOne) {
     double tolerance = 1.0;
     EXPECT_EQ(next_tolerance(tolerance, false), 1.0);
     for (int i = 0; i < 20; ++i) {
