@@ -25,6 +25,11 @@ std::vector<VertexRange> vertex_ranges(const World& world) {
     return ranges;
 }
 
+/// True for elements of one symmetric block, see ElementSet.
+template <typename Elements> constexpr bool k_is_difference = requires {
+    Elements::k_is_difference;
+};
+
 } // namespace
 
 /// One kind of element on one cloth or on all, seen alike by the loops below.
@@ -57,44 +62,41 @@ public:
         return {.nodes_per_element = Elements::k_nodes,
                 .nodes = elements_.nodes(),
                 .first_vertex = static_cast<Index>(first_),
-                .is_difference = requires {Elements::k_is_difference;
+                .is_difference = k_is_difference<Elements>};
     }
-};
-} // namespace weft
-std::vector<Index> adapt(const World& world, std::span<const ClothChanges> changes) override {
-    find_vertices(world.cloths[cloth_]);
-    return elements_.update(world.cloths[cloth_], changes[cloth_]);
-}
-void start_substep(std::span<const Vec3> v) override {
-    if constexpr (requires { elements_.linearise_at(v); }) {
-        elements_.linearise_at(v.subspan(first_, count_));
+    std::vector<Index> adapt(const World& world, std::span<const ClothChanges> changes) override {
+        find_vertices(world.cloths[cloth_]);
+        return elements_.update(world.cloths[cloth_], changes[cloth_]);
     }
-}
-void evaluate(std::span<const Vec3> x,
-              std::span<const Vec3> v,
-              SystemScales scales,
-              std::span<Vec3> forces,
-              std::span<Mat3> blocks) const override {
-    elements_.evaluate(x.subspan(first_, count_), v.subspan(first_, count_), scales, forces,
-                       blocks);
-}
-void forces(std::span<const Vec3> x,
-            std::span<const Vec3> v,
-            std::span<Vec3> forces) const override {
-    elements_.forces(x.subspan(first_, count_), v.subspan(first_, count_), forces);
-}
+    void start_substep(std::span<const Vec3> v) override {
+        if constexpr (requires { elements_.linearise_at(v); }) {
+            elements_.linearise_at(v.subspan(first_, count_));
+        }
+    }
+    void evaluate(std::span<const Vec3> x,
+                  std::span<const Vec3> v,
+                  SystemScales scales,
+                  std::span<Vec3> forces,
+                  std::span<Mat3> blocks) const override {
+        elements_.evaluate(x.subspan(first_, count_), v.subspan(first_, count_), scales, forces,
+                           blocks);
+    }
+    void forces(std::span<const Vec3> x,
+                std::span<const Vec3> v,
+                std::span<Vec3> forces) const override {
+        elements_.forces(x.subspan(first_, count_), v.subspan(first_, count_), forces);
+    }
 
 private:
-void find_vertices(const Cloth& cloth) {
-    first_ = static_cast<std::size_t>(cloth.first_vertex);
-    count_ = static_cast<std::size_t>(cloth.vertex_count);
-}
+    void find_vertices(const Cloth& cloth) {
+        first_ = static_cast<std::size_t>(cloth.first_vertex);
+        count_ = static_cast<std::size_t>(cloth.vertex_count);
+    }
 
-std::size_t cloth_;
-Elements elements_;
-std::size_t first_ = 0, count_ = 0;
-}
-;
+    std::size_t cloth_;
+    Elements elements_;
+    std::size_t first_ = 0, count_ = 0;
+};
 
 /// The edges of a solid, between its particles.
 class ForceSystem::SolidGroup : public Group {
