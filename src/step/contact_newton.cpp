@@ -12,12 +12,9 @@ namespace weft {
 
 namespace {
 
-/// Rounds at most. What is not balanced then is small, and is balanced in the next substep.
+/// Rounds at most. What is not balanced then is small, and is balanced in the next substep. More:
+/// contacts that hand load to and fro cost time; fewer: friction fits its normal load less well.
 constexpr int k_most_rounds = 24;
-
-/// Rounds in which the limits of friction are fitted to what pushes now. After them the limits
-/// stand, so that rounds which hand load to and fro come to an end.
-constexpr int k_fitting_rounds = 24;
 
 /// How much better each round's linear solve makes the balance: half of what the last round did,
 /// as what is solved better than the contacts still change is wasted (Eisenstat and Walker 1996);
@@ -240,7 +237,8 @@ BalanceReport ContactNewton::solve(const LinearStep& step, ContactForces& contac
     caution_ = 0.0;
     is_coarse_built_ = false;
     while (true) {
-        if (report.rounds < k_fitting_rounds) {
+        const bool is_last = report.rounds == k_most_rounds; // only tells how well it balances
+        if (!is_last) {
             contact.fit_limits(step.x);
         }
         const double before = report.imbalance;
@@ -251,8 +249,7 @@ BalanceReport ContactNewton::solve(const LinearStep& step, ContactForces& contac
                                       : std::clamp(0.5 * left, k_least_forcing, k_greatest_forcing);
         }
         report.converged = std::isfinite(report.imbalance);
-        if (!report.converged || report.imbalance <= step.tolerance ||
-            report.rounds == k_most_rounds) {
+        if (!report.converged || report.imbalance <= step.tolerance || is_last) {
             break;
         }
         if (!find_direction(step, contact, forcing, report)) {
