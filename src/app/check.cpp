@@ -1,7 +1,9 @@
 #include "app/commands.h"
 #include "base/atomic_file.h"
-#include "frames/expectation_check.h"
+#include "base/log.h"
+#include "frames/acceptance.h"
 #include "frames/run_paths.h"
+#include "frames/statistics_columns.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -30,7 +32,9 @@ public:
     const CsvTable& table(const std::string& name) {
         const auto [at, is_new] = tables_.try_emplace(name);
         if (is_new) {
-            at->second = parse_csv(read_file(file(name)), file(name).string());
+            const std::string text = read_file(file(name));
+            at->second = name == "stats" ? parse_statistics(text, file(name).string())
+                                         : parse_csv(text, file(name).string());
         }
         return at->second;
     }
@@ -41,7 +45,9 @@ private:
 };
 
 ExitCode check(const CheckOptions& options) {
-    const std::vector<Expectation> expectations = read_expectations(options.expectations);
+    open_log(Verbosity::Normal);
+    std::vector<Expectation> expectations = read_expectations(options.expectations);
+    take_current_names(expectations, [](const std::string& line) { warn("{}", line); });
     RunTables tables({options.out});
     std::size_t held = 0;
     for (const Expectation& expect : expectations) {
@@ -67,6 +73,13 @@ void add_check_command(CLI::App& app, ExitCode& code) {
     verb->add_option("expectations", options->expectations, "file with [[expect]] tables")
         ->required()
         ->type_name("EXPECT.toml");
+    verb->add_flag_callback(
+        "--columns",
+        [] {
+            fmt::print("{}", statistics_page());
+            throw CLI::Success();
+        },
+        "say what the columns of stats.csv mean, and nothing else");
     verb->callback([options, &code] { code = check(*options); });
 }
 

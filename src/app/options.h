@@ -2,7 +2,7 @@
 
 #include "app/frame_range.h"
 #include "base/log.h"
-#include "frames/rule.h"
+#include "frames/acceptance.h"
 #include "scene/scene.h"
 
 #include <filesystem>

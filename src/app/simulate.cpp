@@ -109,9 +109,9 @@ ExitCode simulate_scene(const SimulateOptions& options, const Scene& scene) {
                      .verbosity = common.verbosity()});
 }
 
-ExitCode run(const SimulateOptions& options) {
+ExitCode run(SimulateOptions options) {
     open_log(options.common.verbosity());
-    check_rules(options.common.fail_on);
+    check_rules(options.common.fail_on, [](const std::string& line) { warn("{}", line); });
     const Scene scene = scene_of_command_line(options.input, options.common);
     if (options.common.print_config) {
         fmt::print("{}", write_scene(scene, std::filesystem::current_path()));

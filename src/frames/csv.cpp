@@ -71,8 +71,11 @@ CsvTable parse_csv(std::string_view text, const std::string& place) {
     return table;
 }
 
-CsvFile::CsvFile(std::filesystem::path path, std::string_view header)
-    : path_(std::move(path)), header_(header), text_(header_ + "\n") {}
+CsvFile::CsvFile(std::filesystem::path path,
+                 std::string_view header,
+                 std::string_view previous_header)
+    : path_(std::move(path)), header_(header), previous_header_(previous_header),
+      text_(header_ + "\n") {}
 
 int CsvFile::keep_rows_through(int last) {
     text_ = header_ + "\n";
@@ -80,13 +83,15 @@ int CsvFile::keep_rows_through(int last) {
         return 0;
     }
     const std::string old = read_file(path_);
-    if (!old.starts_with(text_)) {
+    const bool is_current = old.starts_with(text_);
+    if (!is_current && (previous_header_.empty() || !old.starts_with(previous_header_ + "\n"))) {
         fail_disk("{}: has other columns than this version of weft writes: --overwrite starts the "
                   "run again",
                   path_.string());
     }
     int kept = 0;
-    for (std::size_t begin = text_.size(); begin < old.size();) {
+    for (std::size_t begin = (is_current ? header_ : previous_header_).size() + 1;
+         begin < old.size();) {
         const std::size_t end = std::min(old.find('\n', begin), old.size() - 1);
         const std::string_view line(old.data() + begin, end - begin);
         if (leading_frame(line) <= last) {

@@ -31,11 +31,14 @@ CsvTable parse_csv(std::string_view text, const std::string& place);
 /// as a whole, so that it is complete whenever it exists.
 class CsvFile {
 public:
-    /// @param header names joined by commas
-    CsvFile(std::filesystem::path path, std::string_view header);
+    /// @param header          names joined by commas
+    /// @param previous_header of the version before, whose columns mean the same; "": none
+    CsvFile(std::filesystem::path path,
+            std::string_view header,
+            std::string_view previous_header = "");
 
     /// Takes the rows of frames up to `last` from the file as it stands on disk; a missing file
-    /// gives none. Returns how many. Throws Error (Disk) when its header is another one.
+    /// gives none. Returns how many. Throws Error (Disk) when its header is neither of the two.
     int keep_rows_through(int last);
 
     /// Appends a row; a line without its break.
@@ -55,6 +58,7 @@ private:
 
     std::filesystem::path path_;
     std::string header_;
+    std::string previous_header_;
     std::string text_;
 };
 

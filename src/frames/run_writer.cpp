@@ -5,6 +5,7 @@
 #include "frames/cache.h"
 #include "frames/checkpoint_folder.h"
 #include "frames/problems.h"
+#include "frames/statistics_columns.h"
 
 #include <sys/resource.h>
 
@@ -38,7 +39,7 @@ std::string timing_row(const FrameRecord& record, double write_seconds) {
 } // namespace
 
 RunWriter::RunWriter(const RunPaths& paths)
-    : paths_(paths), statistics_(paths.stats(), statistics_header()),
+    : paths_(paths), statistics_(paths.stats(), statistics_header(), previous_statistics_header()),
       problems_(paths.problems(), problems_header()), timing_(paths.timing(), k_timing_header) {}
 
 void RunWriter::keep_through(int last) {

@@ -3,12 +3,9 @@
 #include "adapt/least_rest_angle.h"
 #include "base/parallel.h"
 #include "frames/cache.h"
-#include "frames/csv.h"
 #include "frames/edge_measures.h"
 #include "frames/solid_measures.h"
 #include "frames/triangle_measures.h"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,22 +15,13 @@ namespace weft {
 
 namespace {
 
-constexpr std::string_view k_header =
-    "frame,time_s,substeps,retries,cg_iterations,residual,vertices,triangles,refined,coarsened,"
-    "contacts_obstacle,contacts_self,unresolved,min_gap_m,stretch_min,stretch_mean,stretch_p95,"
-    "stretch_max,shear_max_deg,kinetic_J,membrane_J,bending_J,gravity_J,com_x_m,com_y_m,com_z_m,"
-    "max_speed_m_s,state_hash,impacts,impact_zones,scaled_islands,"
-    "substeps_impacts,substeps_zones,substeps_scaled,attached_pairs,welded_pairs,attached_gap_m,"
-    "level_0,level_1,level_2,level_3,level_4,level_5,level_6,level_7,level_8,"
-    "volume_m3,inverted_cells,least_angle_deg,adaptation_J";
-
-/// A triangle's stretch and its share of the whole.
+/// The stretch of one triangle or edge and the rest area that it stands for.
 struct Weighted {
     double value, area;
 };
 
-/// Least value that at least `share` of the area does not exceed.
-double percentile(std::vector<Weighted>& values, double share) {
+/// Least value that at least `fraction` of the area does not exceed.
+double percentile(std::vector<Weighted>& values, double fraction) {
     std::sort(values.begin(), values.end(),
               [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
     double total = 0.0;
@@ -43,28 +31,12 @@ double percentile(std::vector<Weighted>& values, double share) {
     double sum = 0.0;
     for (const Weighted& w : values) {
         sum += w.area;
-        if (sum >= share * total) {
+        if (sum >= fraction * total) {
             return w.value;
         }
     }
     return values.back().value;
 }
-
-/// Cells of a row, joined by commas.
-class Row {
-public:
-    Row& operator<<(double value) { return add(csv_number(value)); }
-    Row& operator<<(int value) { return add(std::to_string(value)); }
-    Row& operator<<(std::size_t value) { return add(std::to_string(value)); }
-    Row& add(const std::string& cell) {
-        text_ += (text_.empty() ? "" : ",") + cell;
-        return *this;
-    }
-    const std::string& text() const { return text_; }
-
-private:
-    std::string text_;
-};
 
 std::array<std::size_t, 9> count_levels(const World& world) {
     std::array<std::size_t, 9> levels{};
@@ -75,36 +47,6 @@ std::array<std::size_t, 9> count_levels(const World& world) {
     }
     return levels;
 }
-
-} // namespace
-
-std::string_view statistics_header() {
-    return k_header;
-}
-
-std::string statistics_row(const FrameStatistics& s) {
-    const ContactReport& contact = s.report.contact;
-    Row row;
-    row << s.frame << s.time << s.report.substeps << s.report.retries << s.report.cg_iterations
-        << s.report.residual << s.vertices << s.triangles << s.report.refined << s.report.coarsened
-        << contact.contacts_obstacle << contact.contacts_self
-        << std::max(contact.unresolved, s.crossings) << contact.min_gap << s.strain.stretch_min
-        << s.strain.stretch_mean << s.strain.stretch_p95 << s.strain.stretch_max
-        << s.strain.shear_max_deg << s.motion.kinetic << s.motion.membrane << s.motion.bending
-        << s.motion.gravity << s.motion.centre_of_mass.x() << s.motion.centre_of_mass.y()
-        << s.motion.centre_of_mass.z() << s.motion.max_speed;
-    row.add(fmt::format("{:016x}", s.state_hash));
-    row << contact.impacts << contact.zones << contact.scaled_islands << s.report.substeps_impacts
-        << s.report.substeps_zones << s.report.substeps_scaled << s.attachments.pairs
-        << s.attachments.welded << s.attachments.greatest_gap;
-    for (const std::size_t triangles : s.levels) {
-        row << triangles;
-    }
-    row << s.volume << s.inverted_cells << s.least_angle_deg << s.report.adaptation_energy;
-    return row.text();
-}
-
-namespace {
 
 /// Adds objects to the statistics of all.
 class StrainSums {

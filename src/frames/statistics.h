@@ -4,8 +4,6 @@
 #include "state/update_attachments.h"
 #include "step/advance.h"
 
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace weft {
@@ -46,12 +44,6 @@ struct FrameStatistics {
     double least_angle_deg = 60.0;  ///< of the rest triangles of all cloth
     std::uint64_t state_hash = 0;
 };
-
-/// Names of the columns of stats.csv, with units, joined by commas; design, section 5.
-std::string_view statistics_header();
-
-/// The row; depends on the numbers alone (no times), the shortest text of each.
-std::string statistics_row(const FrameStatistics& statistics);
 
 StrainStatistics measure_strain(const World& world);
 

@@ -61,5 +61,28 @@ TEST_F(Check, SaysThatAFolderHasNoStatistics) {
     EXPECT_EQ(result.exit_code, 5);
 }
 
+TEST_F(Check, UnderstandsTheOldNameOfAColumnInOldAndNewRuns) {
+    for (const char* header : {"frame,adaption_J\n", "frame,adaptation_J\n"}) {
+        test::write_file(folder / "stats.csv", header + std::string("1,0.5\n"));
+        for (const char* name : {"adaption_J", "adaptation_J"}) {
+            const auto result =
+                check(std::string("[[expect]]\ncolumn = '") + name + "'\nequals = 0.5\n");
+
+            EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+            EXPECT_EQ(result.err.find("is now named 'adaptation_J'") != std::string::npos,
+                      std::string(name) == "adaption_J")
+                << result.err;
+        }
+    }
+}
+
+TEST_F(Check, TellsWhatTheColumnsMean) {
+    const auto result = test::run_weft({"check", "--columns"}, folder.path());
+
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("| `kinetic_J` | J | Kinetic energy |\n"), std::string::npos)
+        << result.out;
+}
+
 } // namespace
 } // namespace weft

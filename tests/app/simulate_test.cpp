@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstring>
 #include <map>
 #include <thread>
 
@@ -292,6 +293,27 @@ TEST_F(Simulate, ResumedWithMoreFramesEndsAsTheLongRun) {
     ASSERT_EQ(run(out, {"--resume"}).exit_code, 0);
 
     expect_same_run(straight(), out);
+}
+
+TEST_F(Simulate, ResumesARunThatTheVersionBeforeWrote) {
+    const fs::path out = folder / "out";
+    ASSERT_EQ(run(out, {"-s", "scene.frames=15"}).exit_code, 0);
+    std::string stats = read_file(RunPaths{out}.stats());
+    stats.replace(stats.find("adaptation_J"), std::strlen("adaptation_J"), "adaption_J");
+    test::write_file(RunPaths{out}.stats(), stats);
+
+    const test::ProcessResult result = run(out, {"--resume"});
+
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    expect_same_run(straight(), out);
+}
+
+TEST_F(Simulate, UnderstandsTheOldNameOfAColumnInARule) {
+    const test::ProcessResult result =
+        run(folder / "out", {"-s", "scene.frames=2", "--fail-on", "adaption_J<1"});
+
+    EXPECT_EQ(result.exit_code, 6) << result.err;
+    EXPECT_NE(result.err.find("is now named 'adaptation_J'"), std::string::npos) << result.err;
 }
 
 TEST_F(Simulate, HasNothingToDoForAFinishedRun) {

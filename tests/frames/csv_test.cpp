@@ -45,6 +45,20 @@ TEST(CsvTable, RefusesACutOffLine) {
     EXPECT_THROW(parse_csv("", "a.csv"), Error);
 }
 
+TEST(CsvFile, KeepsRowsUnderTheHeaderOfTheVersionBefore) {
+    const test::TempFolder folder;
+    CsvFile old(folder / "a.csv", "frame,old_name");
+    old.add("1,a");
+    old.write();
+
+    CsvFile file(folder / "a.csv", "frame,name", "frame,old_name");
+
+    EXPECT_EQ(file.keep_rows_through(3), 1);
+    EXPECT_EQ(file.text(), "frame,name\n1,a\n");
+    EXPECT_THROW(CsvFile(folder / "a.csv", "frame,name", "frame,other").keep_rows_through(3),
+                 Error);
+}
+
 TEST(CsvFile, KeepsTheRowsUpToAFrame) {
     const test::TempFolder folder;
     CsvFile file(folder / "a.csv", "frame,x");
