@@ -7,7 +7,7 @@
 
 namespace weft {
 
-/// What the process returns; design, "Command line".
+/// What the process returns; README.md has the table for users.
 enum class ExitCode : int {
     Done = 0,
     OurFault = 1,
