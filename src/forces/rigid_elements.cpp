@@ -1,5 +1,6 @@
 #include "forces/rigid_elements.h"
 
+#include "base/cross_matrix.h"
 #include "base/parallel.h"
 
 #include <Eigen/Dense>
@@ -7,16 +8,6 @@
 #include <cassert>
 
 namespace weft {
-
-namespace {
-
-Mat3 cross_matrix(const Vec3& a) {
-    Mat3 m;
-    m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
-    return m;
-}
-
-} // namespace
 
 ElementTerms<4> rigid_terms(const FourPoints& x, const FourPoints& rest, double stiffness) {
     const Pose pose = nearest_pose(rest, x);

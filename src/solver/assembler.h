@@ -1,32 +1,41 @@
 #pragma once
 
 #include "solver/block_matrix.h"
-#include "solver/source_lists.h"
+#include "solver/scatter_map.h"
 
 namespace weft {
 
-/// Sums what elements wrote into vertices and matrix blocks, always in the order of the elements,
-/// so that the result is the same bits for any thread count. Blocks of an element are its upper
-/// triangle row by row; forces one a node. In the arrays of all elements each set has its room.
+/// Sums element forces into vertices and element blocks into matrix blocks, always in the order of
+/// the elements, so that the result is the same bits for any thread count. An element stores its
+/// blocks as an upper triangle row by row, and its forces one a node. In the arrays of all elements
+/// each set has its range.
 ///
-/// When elements change, what they have to do with is changed and nothing else, but for the order
-/// of the rows and their columns, which are streamed anew. An assembler that has gone through any
-/// changes gives the same bits as one made of what the sets are now.
+/// Four numberings meet here:
+///
+///     vertex   as in World; vertices that no object has are not solved for
+///     slot     vertices with spare capacity behind each object (AssemblyLayout): an object that
+///              grows moves no other, so that the scatter map, which counts by slots, lasts
+///     row      of the matrix: all slots that hold a vertex, reordered for locality
+///     block    in BlockMatrix::blocks: rows one after the other
+///
+/// When elements change, only what depends on them is rebuilt, and the order of rows and columns,
+/// which is streamed. An assembler that has gone through any changes gives the same bits as one
+/// made of the sets as they are now.
 class Assembler {
 public:
-    /// @param objects all vertices, one object after the other
-    /// @param sets    in the order in which they are summed; constant blocks come before others
+    /// @param objects  all vertices, one object after the other
+    /// @param sets     in the order in which they are summed; constant blocks come before others
     Assembler(std::span<const VertexRange> objects, std::span<const ElementSet> sets);
 
-    /// Takes up what the same objects and sets have become.
-    /// @param changed for each set the slots whose nodes or constants are others, new ones included
-    void update(std::span<const VertexRange> objects,
+    /// Follows the same objects and sets through a change of the mesh.
+    /// @param changed  by set: elements whose nodes or constants changed, new ones included
+    void remesh(std::span<const VertexRange> objects,
                 std::span<const ElementSet> sets,
                 std::span<const std::vector<Index>> changed);
 
     /// Lengths of the arrays of all elements' blocks, those of constant sets left out, and forces.
-    std::size_t block_count() const { return rooms_.block_count(); }
-    std::size_t force_count() const { return rooms_.force_count(); }
+    std::size_t block_count() const { return layout_.block_count(); }
+    std::size_t force_count() const { return layout_.force_count(); }
 
     /// The elements of a set in those arrays; a constant set has no blocks there.
     std::span<Mat3> blocks_of(std::size_t set, std::span<Mat3> element_blocks) const;
@@ -44,29 +53,29 @@ public:
                   std::span<const double> diagonal,
                   BlockMatrix& matrix) const;
 
-    /// forces[v] = sum of the element forces at vertex v; 0 where it is of no object.
+    /// forces[v] = sum of the element forces at vertex v; 0 where no object has it.
     void gather_forces(std::span<const Vec3> element_forces, std::span<Vec3> forces) const;
 
 private:
-    /// Of a pair in matrix.blocks; equal on the diagonal.
-    struct Place {
-        Index place, mirror; ///< of the block whose row is the lower site, and of its transpose
+    /// The blocks of a pair in matrix.blocks; equal on the diagonal.
+    struct PairBlocks {
+        Index block, transpose; ///< block: its row is the lower slot
     };
 
     void build(std::span<const ElementSet> sets);
     void list_vertices();
     void order_rows();
-    void find_places();
+    void number_blocks();
 
-    ElementRooms rooms_;
-    SourceLists sources_;
+    AssemblyLayout layout_;
+    ScatterMap scatter_;
     BlockMatrix pattern_;
-    std::vector<Index> row_of_vertex_, vertex_of_row_, site_of_vertex_, site_of_row_;
-    std::vector<Index> vertex_of_site_, row_of_site_;  ///< k_no_index: no vertex there
-    std::vector<Index> vertex_of_dof_, dof_of_vertex_; ///< vertices of objects, in their order
-    std::vector<Place> places_;                        ///< by pair; k_no_index: not used
-    std::vector<Index> graph_begin_, graph_column_;    ///< neighbours, by vertex of objects
-    std::vector<Index> next_;                          ///< free place of each row
+    std::vector<Index> row_of_vertex_, vertex_of_row_, slot_of_vertex_, slot_of_row_;
+    std::vector<Index> vertex_of_slot_, row_of_slot_;  ///< k_no_index: no vertex there
+    std::vector<Index> vertex_of_dof_, dof_of_vertex_; ///< vertices of objects, without gaps
+    std::vector<PairBlocks> pairs_;                    ///< by pair; k_no_index: not used
+    std::vector<Index> graph_begin_, graph_column_;    ///< neighbours, by dof
+    std::vector<Index> next_;                          ///< next free block of each row
 };
 
 } // namespace weft

@@ -32,6 +32,9 @@ BlockMatrix make_pattern(std::size_t rows, std::span<const BlockEntry> entries);
 /// Place of block (row, column) in matrix.blocks, or k_no_index.
 Index find_block(const BlockMatrix& matrix, Index row, Index column);
 
+/// Sum of a[i] . b[i], in an order that depends on the length alone.
+double dot(std::span<const Vec3> a, std::span<const Vec3> b);
+
 /// y = A x.
 void multiply(const BlockMatrix& matrix, std::span<const Vec3> x, std::span<Vec3> y);
 
@@ -39,5 +42,30 @@ void multiply(const BlockMatrix& matrix, std::span<const Vec3> x, std::span<Vec3
 /// reversed (Cuthill and McKee 1969). Returns new_of_old.
 /// @param row_begin, column  of the pattern, as in BlockMatrix
 std::vector<Index> locality_order(std::span<const Index> row_begin, std::span<const Index> column);
+
+/// A matrix with the blocks of another one and those that contacts join. The pattern is made anew
+/// only when what contacts join, beyond what the other one has, changes.
+class CoupledMatrix {
+public:
+    /// Room for the blocks of `base`, whose pattern must be the same until `reset`, and for
+    /// `joined` (any order, repeats allowed). True when the pattern changed.
+    bool couple(const BlockMatrix& base, std::span<const BlockEntry> joined);
+
+    /// Forgets the pattern.
+    void reset() { is_built_ = false; }
+
+    /// Sets the blocks of `base`, and zero elsewhere.
+    void load(const BlockMatrix& base);
+
+    BlockMatrix& matrix() { return matrix_; }
+
+private:
+    void build(const BlockMatrix& base);
+
+    bool is_built_ = false;
+    std::vector<BlockEntry> extra_, wanted_; ///< both triangles, sorted
+    BlockMatrix matrix_;
+    std::vector<Index> place_of_base_; ///< of each block of the base
+};
 
 } // namespace weft

@@ -6,14 +6,6 @@
 
 namespace weft {
 
-namespace {
-
-double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
-    return parallel_sum(a.size(), [&](std::size_t i) { return a[i].dot(b[i]); });
-}
-
-} // namespace
-
 CgReport ConjugateGradient::solve(const BlockMatrix& matrix,
                                   const Precondition& precondition,
                                   std::span<const Vec3> b,

@@ -37,10 +37,6 @@ constexpr double k_greatest_share = 16.0;
 constexpr double k_short_share = 0.3;
 constexpr double k_caution_kept = 0.5;
 
-double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
-    return parallel_sum(a.size(), [&](std::size_t i) { return a[i].dot(b[i]); });
-}
-
 } // namespace
 
 void ContactNewton::reset() {

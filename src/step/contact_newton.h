@@ -2,9 +2,7 @@
 
 #include "step/contact_forces.h"
 
-#include "solver/coarse_space.h"
 #include "solver/conjugate_gradient.h"
-#include "solver/coupled_matrix.h"
 #include "solver/preconditioner.h"
 
 namespace weft {

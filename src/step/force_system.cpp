@@ -255,7 +255,7 @@ void ForceSystem::adapt(const World& world, std::span<const ClothChanges> change
     for (const auto& group : groups_) {
         changed.push_back(group->adapt(world, changes));
     }
-    assembler_->update(vertex_ranges(world), sets(), changed);
+    assembler_->remesh(vertex_ranges(world), sets(), changed);
     resize_arrays();
 }
 

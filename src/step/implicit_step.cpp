@@ -24,10 +24,6 @@ bool all_finite(std::span<const Vec3> values) {
         [](bool a, bool b) { return a && b; });
 }
 
-double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
-    return parallel_sum(a.size(), [&](std::size_t i) { return a[i].dot(b[i]); });
-}
-
 std::vector<double> mass_damping(const World& world) {
     std::vector<double> damping(world.vertex_count(), 0.0);
     for (const Cloth& cloth : world.cloths) {

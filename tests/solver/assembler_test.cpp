@@ -1,15 +1,10 @@
-#include "forces/constant_bending.h"
-#include "support/changing_sheet.h"
-
 #include <gtest/gtest.h>
 
-#include <numeric>
+#include <random>
 
 #include "solver/assembler.h"
 
 namespace weft {
-
-using namespace test;
 
 namespace {
 
@@ -82,34 +77,6 @@ TEST(Assembler, SumsTheOneBlockOfADifferenceWithItsSigns) {
     EXPECT_EQ(block_at(matrix, rows, 0, 3), Mat3(Mat3::Zero()));
 }
 
-TEST(Assembler, VertexAtTwoNodesOfAnElementGetsBothBlocks) {
-    // All three neighbours of a triangle that was split in three have the same apex in pairs.
-    ChangingSheet sheet({.points = {{0.0, 0.0}, {1.0, 0.0}, {0.3, 0.9}, {0.4, 0.3}},
-                         .triangles = {{3, 0, 1}, {3, 1, 2}, {3, 2, 0}}},
-                        {.bend_stiffness = 1.0}, BendModel::MidEdge, 1);
-    const ConstantBending bending(sheet.cloth());
-    const std::vector<VertexRange> objects{{0, 4}};
-    const std::vector<ElementSet> sets{{6, bending.nodes(), 0, true, bending.stiffness()}};
-    const Assembler assembler(objects, sets);
-    const std::vector<Vec3> x{{0.0, 0.1, 0.0}, {1.0, 0.2, 0.1}, {0.4, -0.2, 0.9}, {0.4, 0.3, 0.3}};
-    std::vector<Vec3> element_forces(assembler.force_count()), forces(4), product(4), by_row(4);
-    bending.forces(x, element_forces);
-    assembler.gather_forces(element_forces, forces);
-    BlockMatrix matrix = assembler.pattern();
-    const std::vector<double> nothing(4, 0.0);
-
-    assembler.assemble({}, 1.0, nothing, matrix);
-
-    for (std::size_t v = 0; v < 4; ++v) {
-        by_row[static_cast<std::size_t>(assembler.row_of_vertex()[v])] = x[v];
-    }
-    multiply(matrix, by_row, product);
-    for (std::size_t v = 0; v < 4; ++v) { // f = -Q x
-        const Vec3& row = product[static_cast<std::size_t>(assembler.row_of_vertex()[v])];
-        EXPECT_LT((row + forces[v]).norm(), 1e-12 * forces[v].norm());
-    }
-}
-
 TEST(Assembler, WhatIsGoneLeavesNothingBehind) {
     const std::vector<VertexRange> objects{{0, 5}};
     std::vector<ElementSet> sets{{3, k_triangles, 0}, {2, k_edges, 0}};
@@ -117,7 +84,7 @@ TEST(Assembler, WhatIsGoneLeavesNothingBehind) {
     const std::vector<Index> fewer{0, 1};
     sets[1].nodes = fewer; // edges (3, 4) and (0, 4) are gone: nothing is at vertex 4
 
-    assembler.update(objects, sets, std::vector<std::vector<Index>>{{}, {0}});
+    assembler.remesh(objects, sets, std::vector<std::vector<Index>>{{}, {0}});
 
     const Assembler fresh(objects, sets);
     EXPECT_EQ(assembler.pattern().column, fresh.pattern().column);
@@ -133,7 +100,7 @@ TEST(Assembler, OtherConstantsBetweenTheSameNodesAreTakenUp) {
     Assembler assembler(objects, sets);
     constants[7] = 80.0; // of vertices 2 and 1
 
-    assembler.update(objects, sets, std::vector<std::vector<Index>>{{1}});
+    assembler.remesh(objects, sets, std::vector<std::vector<Index>>{{1}});
 
     BlockMatrix matrix = assembler.pattern();
     const std::vector<double> nothing(5, 0.0);
@@ -144,26 +111,58 @@ TEST(Assembler, OtherConstantsBetweenTheSameNodesAreTakenUp) {
               Mat3(0.5 * 2.0 * Mat3::Identity()));
 }
 
-TEST(ElementRooms, StayWhileTheirContentFits) {
+TEST(AssemblyLayout, RangesStayWhileTheirContentFits) {
     const std::vector<Index> nodes(60, 0);
     const auto set_of = [&](std::size_t elements) {
         return ElementSet{3, std::span(nodes).first(3 * elements), 0};
     };
-    ElementRooms rooms;
-    EXPECT_FALSE(rooms.fit(std::vector<VertexRange>{{0, 4}, {4, 2}},
-                           std::vector<ElementSet>{set_of(2), set_of(1)}));
-    EXPECT_EQ(rooms.site_of(4), 4U);
-    EXPECT_FALSE(rooms.fit(std::vector<VertexRange>{{0, 6}, {6, 2}},
-                           std::vector<ElementSet>{set_of(4), set_of(1)})); // half as much again
-    EXPECT_EQ(rooms.site_of(6), 9U);
-    EXPECT_EQ(rooms.sets()[1].force_begin, 18U);
-    EXPECT_EQ(rooms.sets()[1].block_begin, 36U);
+    AssemblyLayout layout;
+    EXPECT_FALSE(layout.fit(std::vector<VertexRange>{{0, 4}, {4, 2}},
+                            std::vector<ElementSet>{set_of(2), set_of(1)}));
+    EXPECT_EQ(layout.slot_of(4), 4U);
+    EXPECT_FALSE(layout.fit(std::vector<VertexRange>{{0, 6}, {6, 2}},
+                            std::vector<ElementSet>{set_of(4), set_of(1)})); // half as much again
+    EXPECT_EQ(layout.slot_of(6), 9U);
+    EXPECT_EQ(layout.sets()[1].force_begin, 18U);
+    EXPECT_EQ(layout.sets()[1].block_begin, 36U);
 
-    EXPECT_TRUE(rooms.fit(std::vector<VertexRange>{{0, 9}, {9, 2}},
-                          std::vector<ElementSet>{set_of(6), set_of(1)}));
-    EXPECT_EQ(rooms.site_of(8), 8U);
-    EXPECT_EQ(rooms.site_of(9), 9U);
-    EXPECT_EQ(rooms.sets()[1].force_begin, 18U);
+    EXPECT_TRUE(layout.fit(std::vector<VertexRange>{{0, 9}, {9, 2}},
+                           std::vector<ElementSet>{set_of(6), set_of(1)}));
+    EXPECT_EQ(layout.slot_of(8), 8U);
+    EXPECT_EQ(layout.slot_of(9), 9U);
+    EXPECT_EQ(layout.sets()[1].force_begin, 18U);
+}
+
+TEST(ListPool, HoldsWhatSortedVectorsWould) {
+    std::mt19937 random(1);
+    std::vector<std::vector<int>> expected(20);
+    ListPool<int> pool;
+    const std::vector<std::uint32_t> lengths(10, 0);
+    pool.reset(lengths);
+    for (int i = 0; i < 10; ++i) {
+        pool.add_list();
+    }
+    for (int step = 0; step < 5000; ++step) {
+        const std::size_t list = random() % expected.size();
+        std::vector<int>& row = expected[list];
+        const int dice = static_cast<int>(random() % 20);
+        if (dice == 0) {
+            row.assign(random() % 30, 7);
+            pool.assign(list, row);
+        } else if (dice < 11 || row.empty()) {
+            const int item = static_cast<int>(random() % 50);
+            row.insert(std::upper_bound(row.begin(), row.end(), item), item);
+            pool.insert(list, item);
+        } else {
+            const int item = row[random() % row.size()];
+            row.erase(std::lower_bound(row.begin(), row.end(), item));
+            pool.erase(list, item);
+        }
+        pool.keep_spare(step % 100 < 50);
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            ASSERT_TRUE(std::ranges::equal(pool[i], expected[i]));
+        }
+    }
 }
 
 } // namespace weft

@@ -3,7 +3,6 @@
 
 #include <random>
 
-#include "solver/coarse_space.h"
 #include "solver/conjugate_gradient.h"
 #include "solver/preconditioner.h"
 
@@ -76,14 +75,6 @@ std::vector<Vec3> random_values(std::size_t count, unsigned seed) {
         v = {value(engine), value(engine), value(engine)};
     }
     return values;
-}
-
-double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        sum += a[i].dot(b[i]);
-    }
-    return sum;
 }
 
 std::vector<Vec3> correction(CoarseSpace& coarse, std::span<const Vec3> r) {

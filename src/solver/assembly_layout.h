@@ -16,8 +16,8 @@ struct ElementSet {
     Index first_vertex;       ///< added to each node
     bool is_constant = false; ///< blocks are scalars times the identity, these:
     std::span<const double> constants{}; ///< upper triangle of each element, N/m
-    bool is_difference = false; ///< of two nodes and one symmetric block, which is that of each
-                                ///< with itself, and its negative that between them
+    bool is_difference = false; ///< two nodes and one symmetric block: it stands at each node with
+                                ///< itself, and its negative between the two
 
     std::size_t count() const { return nodes.size() / static_cast<std::size_t>(nodes_per_element); }
     std::size_t blocks_per_element() const {
@@ -27,16 +27,21 @@ struct ElementSet {
     }
 };
 
-/// Where the vertices of one object that are solved for stand in World.
+/// The range of World vertices of one object that are solved for.
 struct VertexRange {
     Index first, count;
 };
 
-/// Where vertices and elements stand in the arrays of an assembly. Every object and every set has
-/// a room there that is kept while it grows and shrinks within it, so that what stands in other
-/// rooms need not be touched. A vertex's place is called its site; sites are in the order of
-/// vertices, but may have gaps.
-class ElementRooms {
+/// How a block of an element adds to a block of the matrix. A source is a number that holds both:
+/// k_placements * (place of the element block) + placement.
+enum BlockPlacement : std::uint32_t { k_as_is = 0, k_transposed = 1, k_negative = 2 };
+inline constexpr std::uint32_t k_placements = 4;
+
+/// Layout of the arrays of an assembly. Every object and every set has a range there with spare
+/// capacity, which stays where it is while the content fits, so that a mesh that changes leaves the
+/// ranges of others untouched. The place of a vertex is its slot; slots ascend with vertices, but
+/// leave gaps.
+class AssemblyLayout {
 public:
     struct Set {
         std::size_t nodes_per_element, blocks_per_element;
@@ -52,37 +57,41 @@ public:
         std::uint32_t element_of(std::uint32_t node) const {
             return static_cast<std::uint32_t>((node * reciprocal) >> 33);
         }
+
+        /// Sources of the pairs of nodes (k, j) of one element, n k + j for n nodes; the place
+        /// counts from the element's first block.
+        std::vector<std::uint32_t> block_sources() const;
     };
     struct Object {
         std::size_t first, count; ///< vertices of World
         std::size_t capacity;
-        std::size_t begin; ///< site of the first
+        std::size_t begin; ///< slot of the first
     };
 
-    /// Takes up what sets and objects are now; false when it had to move rooms, and all places are
-    /// others than before. Rooms are as large as their first content, then with half as much again.
-    /// The number of sets and objects must always be the same; objects stand one after the other,
-    /// perhaps with vertices between them that are not solved for.
+    /// Fits the ranges to the sets and objects. Returns false when ranges had to move, so that all
+    /// places are others than before. A range is as large as its first content, and half as much
+    /// again when it must grow. The number of sets and objects must never change; objects stand one
+    /// after the other, perhaps with vertices between them that are not solved for.
     bool fit(std::span<const VertexRange> objects, std::span<const ElementSet> sets);
 
     std::span<const Set> sets() const { return sets_; }
     std::span<const Object> objects() const { return objects_; }
     std::size_t vertex_count() const;                      ///< up to the last object's end
-    std::size_t site_count() const { return site_count_; } ///< room for vertices
+    std::size_t slot_count() const { return slot_count_; } ///< with the gaps
     std::size_t force_count() const { return force_count_; }
     std::size_t block_count() const { return block_count_; } ///< of the sets that are not constant
     std::size_t constant_count() const { return constant_count_; }
 
-    std::size_t site_of(Index vertex) const;
+    std::size_t slot_of(Index vertex) const;
 
-    /// Number of the object that a vertex is of.
+    /// Number of the object that has the vertex.
     std::size_t object_of(Index vertex) const;
 
-    /// Site of entry i of set.nodes, or k_no_index.
-    Index site_of_node(const ElementSet& set, std::size_t i) const {
+    /// Slot of entry i of set.nodes, or k_no_index.
+    Index slot_of_node(const ElementSet& set, std::size_t i) const {
         return set.nodes[i] == k_no_index
                    ? k_no_index
-                   : static_cast<Index>(site_of(set.nodes[i] + set.first_vertex));
+                   : static_cast<Index>(slot_of(set.nodes[i] + set.first_vertex));
     }
 
 private:
@@ -90,7 +99,7 @@ private:
 
     std::vector<Set> sets_;
     std::vector<Object> objects_;
-    std::size_t site_count_ = 0, force_count_ = 0, block_count_ = 0, constant_count_ = 0;
+    std::size_t slot_count_ = 0, force_count_ = 0, block_count_ = 0, constant_count_ = 0;
 };
 
 } // namespace weft

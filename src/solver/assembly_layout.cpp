@@ -1,4 +1,4 @@
-#include "solver/element_rooms.h"
+#include "solver/assembly_layout.h"
 
 #include <algorithm>
 #include <cassert>
@@ -7,7 +7,7 @@ namespace weft {
 
 namespace {
 
-/// Makes room when the content outgrew it. True when it did.
+/// Raises the capacity when the content outgrew it. True when it did.
 bool outgrew(std::size_t count, std::size_t& capacity) {
     if (count <= capacity) {
         return false;
@@ -18,7 +18,23 @@ bool outgrew(std::size_t count, std::size_t& capacity) {
 
 } // namespace
 
-bool ElementRooms::fit(std::span<const VertexRange> objects, std::span<const ElementSet> sets) {
+std::vector<std::uint32_t> AssemblyLayout::Set::block_sources() const {
+    const std::size_t n = nodes_per_element;
+    std::vector<std::uint32_t> sources;
+    for (std::size_t k = 0; k < n; ++k) {
+        for (std::size_t j = 0; j < n; ++j) {
+            const std::size_t low = std::min(k, j);
+            const std::size_t block = low * n - low * (low + 1) / 2 + std::max(k, j);
+            const std::uint32_t placement = k > j ? k_transposed : k_as_is;
+            sources.push_back(is_difference
+                                  ? (k == j ? k_as_is : k_negative)
+                                  : k_placements * static_cast<std::uint32_t>(block) + placement);
+        }
+    }
+    return sources;
+}
+
+bool AssemblyLayout::fit(std::span<const VertexRange> objects, std::span<const ElementSet> sets) {
     bool fits = sets_.size() == sets.size() && objects_.size() == objects.size();
     assert(fits || (sets_.empty() && objects_.empty()));
     sets_.resize(sets.size());
@@ -47,8 +63,8 @@ bool ElementRooms::fit(std::span<const VertexRange> objects, std::span<const Ele
     return fits;
 }
 
-void ElementRooms::lay_out() {
-    site_count_ = force_count_ = block_count_ = constant_count_ = 0;
+void AssemblyLayout::lay_out() {
+    slot_count_ = force_count_ = block_count_ = constant_count_ = 0;
     for (Set& set : sets_) {
         std::size_t& blocks = set.is_constant ? constant_count_ : block_count_;
         set.force_begin = force_count_;
@@ -58,16 +74,16 @@ void ElementRooms::lay_out() {
     }
     assert(force_count_ < std::size_t{1} << 30);
     for (Object& object : objects_) {
-        object.begin = site_count_;
-        site_count_ += object.capacity;
+        object.begin = slot_count_;
+        slot_count_ += object.capacity;
     }
 }
 
-std::size_t ElementRooms::vertex_count() const {
+std::size_t AssemblyLayout::vertex_count() const {
     return objects_.empty() ? 0 : objects_.back().first + objects_.back().count;
 }
 
-std::size_t ElementRooms::object_of(Index vertex) const {
+std::size_t AssemblyLayout::object_of(Index vertex) const {
     const auto v = static_cast<std::size_t>(vertex);
     const auto after =
         std::upper_bound(objects_.begin(), objects_.end(), v,
@@ -77,7 +93,7 @@ std::size_t ElementRooms::object_of(Index vertex) const {
     return static_cast<std::size_t>(&object - objects_.data());
 }
 
-std::size_t ElementRooms::site_of(Index vertex) const {
+std::size_t AssemblyLayout::slot_of(Index vertex) const {
     const Object& object = objects_[object_of(vertex)];
     return object.begin + static_cast<std::size_t>(vertex) - object.first;
 }
