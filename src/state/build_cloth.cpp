@@ -2,12 +2,12 @@
 
 #include "base/error.h"
 #include "geometry/mixed_areas.h"
+#include "geometry/shapes.h"
 #include "scene/law_shape.h"
 #include "scene/mesh_import.h"
 #include "state/build_network.h"
 #include "state/calibrate_network.h"
 #include "state/rest_shape.h"
-#include "state/shapes.h"
 
 namespace weft {
 

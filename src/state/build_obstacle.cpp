@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "geometry/shapes.h"
 #include "scene/animation_choice.h"
 #include "scene/cache_order.h"
 #include "scene/mesh_sequence.h"
@@ -9,7 +10,6 @@
 #include "scene/point_cache.h"
 #include "scene/rig_pose.h"
 #include "scene/vertex_frames.h"
-#include "state/shapes.h"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 #include "base/error.h"
 #include "geometry/mass_moments.h"
 #include "geometry/self_crossings.h"
+#include "geometry/shapes.h"
 #include "scene/mesh_import.h"
 #include "state/rigid_motion.h"
-#include "state/shapes.h"
 
 #include <numbers>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "validation/sheet.h"
+#include "geometry/sheet.h"
 
 namespace weft {
 

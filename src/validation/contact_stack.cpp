@@ -1,5 +1,5 @@
+#include "geometry/shapes.h"
 #include "scene/pose.h"
-#include "state/shapes.h"
 
 #include <fmt/core.h>
 

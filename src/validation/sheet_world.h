@@ -1,10 +1,9 @@
 #pragma once
 
+#include "geometry/sheet.h"
 #include "state/world.h"
 
 #include <functional>
-
-#include "validation/sheet.h"
 
 namespace weft {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Eigen/SparseCore>
+#include "geometry/sheet.h"
 
-#include "validation/sheet.h"
+#include <Eigen/SparseCore>
 
 namespace weft {
 

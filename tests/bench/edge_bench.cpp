@@ -1,5 +1,6 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "geometry/sheet.h"
 #include "state/build_network.h"
 #include "step/force_system.h"
 
@@ -9,7 +10,6 @@
 #include <cmath>
 
 #include "solver/conjugate_gradient.h"
-#include "validation/sheet.h"
 #include "validation/sheet_world.h"
 
 /// What a step costs by the model of the cloth: forces and Jacobian, their assembly into the

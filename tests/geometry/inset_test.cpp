@@ -1,5 +1,5 @@
 #include "geometry/inset.h"
-#include "state/shapes.h"
+#include "geometry/shapes.h"
 
 #include <gtest/gtest.h>
 

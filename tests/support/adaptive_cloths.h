@@ -1,8 +1,7 @@
 #pragma once
 
+#include "geometry/sheet.h"
 #include "state/cloth.h"
-
-#include "validation/sheet.h"
 
 namespace weft::test {
 

@@ -1,11 +1,10 @@
 #pragma once
 
+#include "geometry/sheet.h"
 #include "state/cloth.h"
 #include "state/cloth_changes.h"
 
 #include <random>
-
-#include "validation/sheet.h"
 
 namespace weft::test {
 

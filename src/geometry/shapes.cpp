@@ -1,4 +1,4 @@
-#include "state/shapes.h"
+#include "geometry/shapes.h"
 
 #include <map>
 

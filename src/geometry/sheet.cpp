@@ -1,4 +1,4 @@
-#include "validation/sheet.h"
+#include "geometry/sheet.h"
 
 #include <cmath>
 #include <random>
