@@ -3,6 +3,8 @@ find_package(fmt REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(TBB REQUIRED)
 find_package(Threads REQUIRED)
+# What every room may use.
+set(WEFT_BASE_LIBRARIES Eigen3::Eigen fmt::fmt spdlog::spdlog TBB::tbb Threads::Threads)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(PkgConfig REQUIRED)

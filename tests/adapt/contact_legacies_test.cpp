@@ -1,7 +1,7 @@
 #include "adapt/contact_legacies.h"
 #include "state/contact_legacy.h"
 #include "support/adapting_world.h"
-#include "support/contact_world.h"
+#include "support/objects.h"
 
 #include <gtest/gtest.h>
 

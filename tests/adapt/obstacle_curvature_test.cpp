@@ -1,5 +1,5 @@
 #include "adapt/obstacle_curvature.h"
-#include "support/contact_world.h"
+#include "support/objects.h"
 
 #include <gtest/gtest.h>
 

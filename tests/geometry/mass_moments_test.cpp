@@ -1,5 +1,5 @@
 #include "geometry/mass_moments.h"
-#include "scene/pose.h"
+#include "support/random_rotation.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,8 @@ TriangleMesh turned_box(const Mat3& R, const Vec3& centre) {
 } // namespace
 
 TEST(MassMoments, OfABoxAreThoseOfTheFormula) {
-    const Mat3 R = rotation_from_degrees({10.0, 20.0, 30.0});
+    std::mt19937 random(1);
+    const Mat3 R = test::random_rotation(random);
     const Vec3 centre(5.0, -7.0, 11.0);
 
     const MassMoments moments = mass_moments(turned_box(R, centre));

@@ -1,5 +1,5 @@
 #include "state/rigid_motion.h"
-#include "support/derivatives.h"
+#include "support/random_rotation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,11 @@
 #include "support/adapting_world.h"
 
+#include "adapt/make_refinement.h"
 #include "support/worlds.h"
 
 #include <algorithm>
 #include <numbers>
 #include <numeric>
-
-#include "start/make_adaptive.h"
 
 namespace weft::test {
 
@@ -27,6 +26,17 @@ Scene three_sheets() {
     side.box_max = {2.0, 2.0, -1.19};
     scene.cloths.back().pins.push_back(side);
     return scene;
+}
+
+/// The sheets are flat and nothing is attached yet, so no edge and no triangle is kept.
+void make_adaptive(World& world) {
+    for (Cloth& cloth : world.cloths) {
+        if (cloth.params.adapt.levels > 0) {
+            make_refinement(cloth);
+            const auto x = world.positions_of(cloth);
+            cloth.refinement.start.assign(x.begin(), x.end());
+        }
+    }
 }
 
 } // namespace

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "forces/element_terms.h"
+#include "support/random_rotation.h"
 
 #include <functional>
-#include <random>
 
 /// Finite differences, and the ways between elements' arrays and plain vectors and matrices.
 namespace weft::test {
@@ -66,14 +66,6 @@ MatX assembled(const std::array<Mat3, static_cast<std::size_t>(block_count(N))>&
         }
     }
     return K;
-}
-
-/// Uniformly random rotation.
-inline Mat3 random_rotation(std::mt19937& random) {
-    std::normal_distribution<double> normal;
-    return Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
-        .normalized()
-        .toRotationMatrix();
 }
 
 } // namespace weft::test
