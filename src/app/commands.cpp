@@ -35,12 +35,9 @@ int run_command_line(int argc, const char* const* argv) {
     app.set_version_flag("--version", "weft " WEFT_VERSION);
     app.require_subcommand(1);
     ExitCode code = ExitCode::Done;
-    add_simulate_command(app, code);
-    add_check_command(app, code);
-    add_fabric_command(app, code);
-    add_inspect_command(app, code);
-    add_validate_command(app, code);
-    add_render_command(app, code);
+    for (AddCommand* const add_command : k_commands) {
+        add_command(app, code);
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
