@@ -250,7 +250,7 @@ TEST(Membrane, PatchTestHoldsOnAnIrregularMesh) {
 }
 
 TEST(Membrane, OffAxisModulusFollowsTheOrthotropicFormula) {
-    // 1/E(t) = c^4/E1 + s^4/E2 + (1/G - 2 nu12/E1) c^2 s^2, with nu12 = 0.25 of E1 (methods 9.5)
+    // docs/methods.md, 9.5: 1/E(t) = c^4/E1 + s^4/E2 + (1/G - 2 nu12/E1) c^2 s^2, nu12 = 0.25 of E1
     const double e1 = 1500.0, e2 = 600.0, g = 90.0, nu12 = 0.25;
     const FabricParams fabric{
         .stretch_stiffness = {e1, e2}, .shear_stiffness = g, .poisson = nu12 * std::sqrt(e2 / e1)};
