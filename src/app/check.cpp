@@ -2,7 +2,7 @@
 #include "base/atomic_file.h"
 #include "base/log.h"
 #include "frames/acceptance.h"
-#include "frames/run_paths.h"
+#include "frames/run_folder.h"
 #include "frames/statistics_columns.h"
 
 #include <CLI/CLI.hpp>

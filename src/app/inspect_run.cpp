@@ -2,7 +2,7 @@
 #include "app/summary_lines.h"
 #include "base/error.h"
 #include "frames/csv.h"
-#include "frames/run_paths.h"
+#include "frames/run_folder.h"
 #include "frames/status.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "app/summary_lines.h"
 #include "base/atomic_file.h"
 #include "collide/crossings.h"
-#include "frames/solid_measures.h"
+#include "frames/measures.h"
 #include "state/world_objects.h"
 
 #include <map>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "frames/run_paths.h"
+#include "frames/run_folder.h"
 #include "render/picture_stats.h"
 
 #include <map>

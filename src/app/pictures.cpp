@@ -2,7 +2,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "frames/motion_bounds.h"
+#include "frames/predicted_bounds.h"
 #include "render/png.h"
 
 #include <memory>
@@ -46,7 +46,7 @@ Vec2 colour_range(const Scene& scene) {
 }
 
 Extent foresee_motion(const Frame& first, const Scene& scene) {
-    return predict_motion(first, scene, subject_objects(first));
+    return predict_bounds(first, scene, subject_objects(first));
 }
 
 PictureBounds picture_bounds(const CachedRun& run, const Scene& scene) {
@@ -56,7 +56,7 @@ PictureBounds picture_bounds(const CachedRun& run, const Scene& scene) {
     }
     const Frame first = run.read(numbers.front());
     const std::vector<bool> counts = subject_objects(first);
-    const Extent foreseen = predict_motion(first, scene, counts);
+    const Extent foreseen = predict_bounds(first, scene, counts);
     Extent motion;
     for (const int number : numbers) {
         const Frame frame = run.read(number);

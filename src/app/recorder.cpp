@@ -2,8 +2,8 @@
 
 #include "base/stopwatch.h"
 #include "frames/cache.h"
-#include "frames/checkpoint_folder.h"
 #include "frames/problems.h"
+#include "frames/resume.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include "base/log.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "frames/run_paths.h"
+#include "frames/run_folder.h"
 #include "frames/status.h"
 #include "scene/scene_reader.h"
 

@@ -6,7 +6,6 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "frames/acceptance.h"
-#include "frames/checkpoint_folder.h"
 #include "frames/resume.h"
 #include "frames/status.h"
 #include "scene/scene_writer.h"

@@ -1,6 +1,6 @@
 #include "app/summary.h"
 
-#include "frames/solid_measures.h"
+#include "frames/measures.h"
 
 #include <fmt/core.h>
 

@@ -2,6 +2,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/parallel.h"
 #include "frames/ply.h"
 #include "frames/problems.h"
 
@@ -40,6 +41,16 @@ std::vector<int> frames_of(const RunPaths& paths, const std::string& name) {
 }
 
 } // namespace
+
+FrameObject pose_shape(const RigidShape& rigid, double t) {
+    FrameObject posed = rigid.shape;
+    Pose pose = pose_at(rigid.motion, t);
+    pose.translation += rigid.origin;
+    parallel_for(posed.positions.size(), [&](std::size_t i) {
+        posed.positions[i] = (pose * rigid.shape.positions[i].cast<double>()).cast<float>();
+    });
+    return posed;
+}
 
 double frame_time(int frame, double fps) {
     return (frame - 1) / fps;

@@ -1,12 +1,11 @@
 #include "frames/capture.h"
 
 #include "frames/cache.h"
-#include "frames/edge_measures.h"
-#include "frames/obstacle_reach.h"
-#include "frames/solid_measures.h"
-#include "frames/triangle_measures.h"
+#include "frames/measures.h"
 #include "geometry/curvature.h"
+#include "geometry/extent.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -118,6 +117,31 @@ FrameObject capture_solid(const World& world, const Solid& solid) {
         values_of(object, "speed").push_back(static_cast<float>(world.velocities[i].norm()));
     }
     return object;
+}
+
+// More of either: slower starts; fewer: pictures that may have to be drawn again.
+constexpr double k_most_times = 64.0;
+constexpr std::size_t k_most_vertices = 2000;
+
+/// Far points of all the places that an obstacle takes from t = 0 to `end` (s), in single
+/// precision: what a camera needs to know of its motion beforehand. Sampled in time and over the
+/// vertices.
+std::vector<Vec3f> obstacle_reach(const Obstacle& obstacle, double end, double fps) {
+    const double steps = std::clamp(std::round(end * fps), 1.0, k_most_times);
+    const std::size_t stride = obstacle.mesh.positions.size() / k_most_vertices + 1;
+    std::vector<Vec3> positions(obstacle.mesh.positions.size());
+    Extent extent;
+    for (double step = 0.0; step <= steps; step += 1.0) {
+        obstacle_positions(obstacle, end * step / steps, positions);
+        for (std::size_t i = 0; i < positions.size(); i += stride) {
+            extent.extend(positions[i]);
+        }
+    }
+    std::vector<Vec3f> reach;
+    for (const Vec3& x : extent.points()) {
+        reach.emplace_back(x.cast<float>());
+    }
+    return reach;
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "frames/rigid_shape.h"
+#include "frames/cache.h"
 #include "state/world.h"
 
 namespace weft {

@@ -3,8 +3,8 @@
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "frames/cache.h"
-#include "frames/checkpoint_folder.h"
 #include "frames/problems.h"
+#include "frames/resume.h"
 #include "frames/statistics_columns.h"
 
 #include <sys/resource.h>

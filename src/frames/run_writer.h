@@ -3,7 +3,7 @@
 #include "frames/checkpoint.h"
 #include "frames/csv.h"
 #include "frames/frame.h"
-#include "frames/run_paths.h"
+#include "frames/run_folder.h"
 #include "frames/statistics.h"
 #include "frames/status.h"
 

@@ -3,9 +3,7 @@
 #include "adapt/least_rest_angle.h"
 #include "base/parallel.h"
 #include "frames/cache.h"
-#include "frames/edge_measures.h"
-#include "frames/solid_measures.h"
-#include "frames/triangle_measures.h"
+#include "frames/measures.h"
 
 #include <algorithm>
 #include <cmath>

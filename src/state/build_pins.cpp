@@ -16,9 +16,8 @@ namespace {
 /// A boundary vertex whose rest angle is below this is a corner.
 constexpr double k_corner_angle = 130.0 * std::numbers::pi / 180.0;
 
-std::vector<Index> find_corners(const Cloth& cloth) {
-    const auto count = static_cast<std::size_t>(cloth.vertex_count);
-    std::vector<double> angle(count, 0.0);
+std::vector<Index> find_corners(const PinnableMesh& cloth) {
+    std::vector<double> angle(cloth.positions.size(), 0.0);
     for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
         const auto m = rest_corners(cloth.rest[t]);
         for (std::size_t k = 0; k < 3; ++k) {
@@ -57,10 +56,8 @@ double loop_length(const std::vector<Index>& loop, std::span<const Vec3> positio
     return length;
 }
 
-std::vector<Index> find_loop(const Cloth& cloth,
-                             const PinParams& pin,
-                             const std::string& place,
-                             std::span<const Vec3> positions) {
+std::vector<Index>
+find_loop(const PinnableMesh& cloth, const PinParams& pin, const std::string& place) {
     auto loops = boundary_loops(cloth.topology);
     if (loops.empty()) {
         fail_input("{}.loop: the cloth is closed, it has no boundary loop", place);
@@ -70,10 +67,10 @@ std::vector<Index> find_loop(const Cloth& cloth,
                          [&](const auto& a, const auto& b) { return key(a) > key(b); });
     };
     if (!pin.loop_side.empty()) {
-        order_by([&](const auto& loop) { return mean_height(loop, positions); });
+        order_by([&](const auto& loop) { return mean_height(loop, cloth.positions); });
         return pin.loop_side == "top" ? loops.front() : loops.back();
     }
-    order_by([&](const auto& loop) { return loop_length(loop, positions); });
+    order_by([&](const auto& loop) { return loop_length(loop, cloth.positions); });
     if (pin.loop >= static_cast<int>(loops.size())) {
         fail_input("{}.loop = {}: must be 0 to {} (longest first)", place, pin.loop,
                    loops.size() - 1);
@@ -105,8 +102,8 @@ std::string pin_place(const Solid& solid, std::size_t pin_number) {
     return fmt::format("solid '{}': pin[{}]", solid.body.name, pin_number);
 }
 
-std::string pin_place(const Cloth& cloth, std::size_t pin_number) {
-    return fmt::format("cloth '{}': pin[{}]", cloth.name, pin_number);
+std::string cloth_pin_place(std::string_view cloth, std::size_t pin_number) {
+    return fmt::format("cloth '{}': pin[{}]", cloth, pin_number);
 }
 
 double stiffness_of(const ClothParams& params) {
@@ -159,28 +156,27 @@ void add_pins(World& world,
 
 } // namespace
 
-std::vector<Index> select_pinned(const Cloth& cloth,
-                                 const PinParams& pin,
-                                 std::size_t pin_number,
-                                 std::span<const Vec3> positions) {
-    const std::string place = pin_place(cloth, pin_number);
+std::vector<Index>
+select_pinned(const PinnableMesh& cloth, const PinParams& pin, std::size_t pin_number) {
+    const std::string place = cloth_pin_place(cloth.name, pin_number);
+    const auto vertex_count = static_cast<Index>(cloth.positions.size());
     std::vector<Index> selected;
     for (const Index v : pin.vertices) {
-        if (v < 0 || v >= cloth.vertex_count) {
+        if (v < 0 || v >= vertex_count) {
             fail_input("{}.vertices: {}: must be 0 to {} (vertices after welding)", place, v,
-                       cloth.vertex_count - 1);
+                       vertex_count - 1);
         }
         selected.push_back(v);
     }
     if (pin.has_box) {
-        select_in_box(pin, positions, selected);
+        select_in_box(pin, cloth.positions, selected);
     }
     if (pin.corners) {
         const auto corners = find_corners(cloth);
         selected.insert(selected.end(), corners.begin(), corners.end());
     }
     if (pin.loop >= 0 || !pin.loop_side.empty()) {
-        const auto loop = find_loop(cloth, pin, place, positions);
+        const auto loop = find_loop(cloth, pin, place);
         selected.insert(selected.end(), loop.begin(), loop.end());
     }
     std::sort(selected.begin(), selected.end());
@@ -210,10 +206,12 @@ std::vector<Index> select_pinned(const World& world,
 
 void build_pins(World& world) {
     for (const Cloth& cloth : world.cloths) {
+        const PinnableMesh mesh{cloth.name, cloth.triangles, cloth.topology, cloth.rest,
+                                world.positions_of(cloth)};
         for (std::size_t number = 0; number < cloth.params.pins.size(); ++number) {
             const PinParams& pin = cloth.params.pins[number];
-            add_pins(world, select_pinned(cloth, pin, number, world.positions_of(cloth)),
-                     cloth.first_vertex, pin, stiffness_of(cloth.params), pin_place(cloth, number));
+            add_pins(world, select_pinned(mesh, pin, number), cloth.first_vertex, pin,
+                     stiffness_of(cloth.params), cloth_pin_place(cloth.name, number));
         }
     }
     for (const Solid& solid : world.solids) {

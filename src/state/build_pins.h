@@ -2,15 +2,24 @@
 
 #include "state/world.h"
 
+#include <string_view>
+
 namespace weft {
+
+/// The mesh of a cloth, from which pins select vertices.
+struct PinnableMesh {
+    std::string_view name; ///< of the cloth, for messages
+    std::span<const Triangle> triangles;
+    const EdgeTopology& topology;
+    std::span<const RestTriangle> rest; ///< #T
+    std::span<const Vec3> positions;    ///< #V, m
+};
 
 /// Vertices (of the cloth alone, ascending) that a `[[cloth.pin]]` selects at the start.
 /// Throws Error (BadInput) naming cloth, pin and value when an index or loop does not exist, or
 /// when nothing is selected.
-std::vector<Index> select_pinned(const Cloth& cloth,
-                                 const PinParams& pin,
-                                 std::size_t pin_number,
-                                 std::span<const Vec3> positions);
+std::vector<Index>
+select_pinned(const PinnableMesh& cloth, const PinParams& pin, std::size_t pin_number);
 
 /// Particles (of the solid alone, ascending) that a `[[solid.pin]]` selects at the start.
 /// Throws Error (BadInput) naming solid and pin when it selects none.

@@ -1,5 +1,5 @@
 #include "app/inspect_scene.h"
-#include "frames/run_paths.h"
+#include "frames/run_folder.h"
 #include "frames/status.h"
 #include "support/paths.h"
 #include "support/temp_folder.h"

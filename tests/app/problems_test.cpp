@@ -1,7 +1,7 @@
 #include "base/atomic_file.h"
 #include "frames/csv.h"
 #include "frames/problems.h"
-#include "frames/run_paths.h"
+#include "frames/run_folder.h"
 #include "support/process.h"
 #include "support/temp_folder.h"
 #include "support/text_file.h"

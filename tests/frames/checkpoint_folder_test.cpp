@@ -1,5 +1,5 @@
 #include "base/atomic_file.h"
-#include "frames/checkpoint_folder.h"
+#include "frames/resume.h"
 #include "support/temp_folder.h"
 
 #include <gtest/gtest.h>

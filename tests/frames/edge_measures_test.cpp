@@ -1,5 +1,5 @@
 #include "frames/capture.h"
-#include "frames/edge_measures.h"
+#include "frames/measures.h"
 #include "frames/statistics.h"
 #include "scene/scene_reader.h"
 #include "state/world.h"

@@ -1,6 +1,6 @@
 #include "frames/cache.h"
 #include "frames/capture.h"
-#include "frames/solid_measures.h"
+#include "frames/measures.h"
 #include "frames/statistics.h"
 #include "support/temp_folder.h"
 

@@ -1,12 +1,17 @@
 #pragma once
 
 #include "forces/edge_law.h"
+#include "forces/strain.h"
 #include "state/edge_network.h"
+#include "state/world.h"
 
 #include <span>
 #include <vector>
 
 namespace weft {
+
+/// How each triangle of a cloth is strained, #T long: what statistics and pictures show.
+std::vector<StrainMeasures> measure_triangles(const World& world, const Cloth& cloth);
 
 /// Whether stretch is that of edges.
 constexpr bool has_edge_law(Model model) {
@@ -32,5 +37,19 @@ VertexEdgeMeasures measure_edges(const EdgeNetwork& network,
                                  const LawShape& shape,
                                  std::span<const Vec3> x,
                                  std::size_t count);
+
+/// Length over rest length of each edge of a solid's network.
+std::vector<double> edge_stretches(const World& world, const Solid& solid);
+
+/// Mean stretch of the edges of each particle (1 where there is none), at the surface vertices that
+/// the particles carry, #vertices.
+std::vector<double> surface_stretches(const World& world, const Solid& solid);
+
+/// Cells of which any of the tetrahedra at their eight corners, or of the six that carry the
+/// surface, has turned inside out or lost its volume.
+std::size_t count_inverted_cells(const World& world, const Solid& solid);
+
+/// What a body's surface holds, m^3; an open one is closed by fans about the middles of its rims.
+double body_volume(const World& world, const Body& body);
 
 } // namespace weft

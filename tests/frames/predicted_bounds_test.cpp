@@ -1,4 +1,4 @@
-#include "frames/motion_bounds.h"
+#include "frames/predicted_bounds.h"
 #include "support/picture_frames.h"
 
 #include <gtest/gtest.h>
@@ -24,11 +24,11 @@ struct Shown {
         scene.obstacles.push_back(params);
     }
     Box3 predict() const {
-        return predict_motion(frame, scene, std::vector<bool>(frame.objects.size(), true)).box();
+        return predict_bounds(frame, scene, std::vector<bool>(frame.objects.size(), true)).box();
     }
 };
 
-TEST(MotionBounds, FreeClothFallsForTheRestOfTheRun) {
+TEST(PredictedBounds, FreeClothFallsForTheRestOfTheRun) {
     const Box3 box = Shown(1.0).predict();
 
     EXPECT_NEAR(box.min().y(), -0.5 - 0.5 * 9.81, 1e-6); // g t^2 / 2
@@ -36,7 +36,7 @@ TEST(MotionBounds, FreeClothFallsForTheRestOfTheRun) {
     EXPECT_NEAR(box.sizes().x(), 1.0, 1e-6);
 }
 
-TEST(MotionBounds, AirHoldsFallingClothBack) {
+TEST(PredictedBounds, AirHoldsFallingClothBack) {
     Shown shown(10.0);
     shown.scene.scene.air_density = 1.2;
 
@@ -44,28 +44,28 @@ TEST(MotionBounds, AirHoldsFallingClothBack) {
     EXPECT_NEAR(shown.predict().min().y(), -0.5 - 14.3, 0.5);
 }
 
-TEST(MotionBounds, ClothLandsOnWhatLiesBelow) {
+TEST(PredictedBounds, ClothLandsOnWhatLiesBelow) {
     Shown shown(5.0);
     shown.add(test::box({0.0, -1.1, 0.0}, {3.0, 0.1, 3.0}));
 
-    const Box3 box = predict_motion(shown.frame, shown.scene, {true, false}).box();
+    const Box3 box = predict_bounds(shown.frame, shown.scene, {true, false}).box();
 
     EXPECT_NEAR(box.min().y(), -1.0, 1e-6);
 }
 
-TEST(MotionBounds, ClothOverAnEdgeHangsByItsLengthFromThere) {
+TEST(PredictedBounds, ClothOverAnEdgeHangsByItsLengthFromThere) {
     Shown shown(5.0);
     for (Vec3f& x : shown.frame.objects[0].positions) {
         x = Vec3f(x.x(), 0.0F, -x.y()); // level
     }
     shown.add(test::box({-1.3, -1.1, 0.0}, {1.4, 0.1, 3.0})); // under x < 0.1, its top at y = -1
 
-    const Box3 box = predict_motion(shown.frame, shown.scene, {true, false}).box();
+    const Box3 box = predict_bounds(shown.frame, shown.scene, {true, false}).box();
 
     EXPECT_NEAR(box.min().y(), -1.0 - 0.4, 0.01);
 }
 
-TEST(MotionBounds, WhatIsPinnedHangsFromItsPinsAndGoesWithThem) {
+TEST(PredictedBounds, WhatIsPinnedHangsFromItsPinsAndGoesWithThem) {
     Shown shown(5.0);
     for (Vec3f& x : shown.frame.objects[0].positions) {
         x = Vec3f(x.x(), 0.0F, -x.y()); // level, from z = -0.5 to 0.5
@@ -86,7 +86,7 @@ TEST(MotionBounds, WhatIsPinnedHangsFromItsPinsAndGoesWithThem) {
     EXPECT_NEAR(box.max().x(), 2.5, 0.03);
 }
 
-TEST(MotionBounds, ObstaclesReachAsFarAsTheirKeyFrames) {
+TEST(PredictedBounds, ObstaclesReachAsFarAsTheirKeyFrames) {
     Shown shown(2.0);
     shown.scene.scene.gravity = Vec3::Zero();
     ObstacleParams params;
@@ -99,7 +99,7 @@ TEST(MotionBounds, ObstaclesReachAsFarAsTheirKeyFrames) {
     EXPECT_NEAR(box.max().z(), 3.0, 0.01);
 }
 
-TEST(MotionBounds, ObstaclesThatDeformReachAsFarAsTheySay) {
+TEST(PredictedBounds, ObstaclesThatDeformReachAsFarAsTheySay) {
     Shown shown(2.0);
     shown.scene.scene.gravity = Vec3::Zero();
     shown.add(test::box({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}), {});
@@ -110,8 +110,8 @@ TEST(MotionBounds, ObstaclesThatDeformReachAsFarAsTheySay) {
     EXPECT_NEAR(box.max().x(), 4.0, 1e-6);
 }
 
-TEST(MotionBounds, OfNothingAreEmpty) {
-    EXPECT_TRUE(predict_motion({}, {}, {}).is_empty());
+TEST(PredictedBounds, OfNothingAreEmpty) {
+    EXPECT_TRUE(predict_bounds({}, {}, {}).is_empty());
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "frames/solid_measures.h"
+#include "frames/measures.h"
 
 #include "base/parallel.h"
 #include "geometry/lattice_fill.h"
@@ -38,6 +38,58 @@ bool is_inverted(const std::array<Vec3, 8>& x) {
 }
 
 } // namespace
+
+std::vector<StrainMeasures> measure_triangles(const World& world, const Cloth& cloth) {
+    const auto x = world.positions_of(cloth);
+    const MembraneStiffness stiffness = membrane_stiffness(cloth.params.fabric);
+    std::vector<StrainMeasures> measures(cloth.triangles.size());
+    parallel_for(measures.size(), [&](std::size_t t) {
+        const auto corner = [&](std::size_t k) {
+            return x[static_cast<std::size_t>(cloth.triangles[t][k])];
+        };
+        measures[t] = strain_measures({corner(0), corner(1), corner(2)}, cloth.rest[t], stiffness);
+    });
+    return measures;
+}
+
+std::vector<EdgeStretch> edge_stretches(const EdgeNetwork& network, std::span<const Vec3> x) {
+    std::vector<EdgeStretch> stretches;
+    for (std::size_t e = 0; e < network.size(); ++e) {
+        const NetworkEdge& edge = network[e];
+        if (edge.kind != EdgeKind::Bending) {
+            const Vec3& a = x[static_cast<std::size_t>(edge.vertices[0])];
+            const Vec3& b = x[static_cast<std::size_t>(edge.vertices[1])];
+            stretches.push_back({e, (a - b).norm() / edge.rest_length});
+        }
+    }
+    return stretches;
+}
+
+VertexEdgeMeasures measure_edges(const EdgeNetwork& network,
+                                 const LawShape& shape,
+                                 std::span<const Vec3> x,
+                                 std::size_t count) {
+    std::vector<double> stretch(count, 0.0);
+    std::vector<double> tension(count, 0.0);
+    std::vector<int> edges(count, 0);
+    for (const EdgeStretch& s : edge_stretches(network, x)) {
+        const NetworkEdge& edge = network[s.edge];
+        const double over_length = edge_response(shape, edge.stiffness, 1.0, s.stretch).tension;
+        for (const Index v : edge.vertices) {
+            const auto i = static_cast<std::size_t>(v);
+            stretch[i] += s.stretch;
+            tension[i] += over_length;
+            ++edges[i];
+        }
+    }
+    VertexEdgeMeasures means;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double share = edges[i] > 0 ? 1.0 / edges[i] : 0.0;
+        means.stretch.push_back(edges[i] > 0 ? static_cast<float>(share * stretch[i]) : 1.0F);
+        means.tension.push_back(static_cast<float>(share * tension[i]));
+    }
+    return means;
+}
 
 std::vector<double> edge_stretches(const World& world, const Solid& solid) {
     const auto x = particles_of(world, solid.body);
