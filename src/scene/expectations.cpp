@@ -2,7 +2,7 @@
 
 #include "base/atomic_file.h"
 #include "scene/parse_toml.h"
-#include "scene/toml_table.h"
+#include "scene/toml_keys.h"
 
 #include <charconv>
 
@@ -61,18 +61,30 @@ void read_bounds(TomlTable& table, Expectation& expect) {
     }
 }
 
+Keys keys_of(Expectation& expect) {
+    return {
+        {"file",
+         one_of<std::string>(expect.file,
+                             {{"stats", "stats"}, {"images", "images"}, {"timing", "timing"}}),
+         "", "", "the run's table"},
+        {"column", &expect.column, "", "", "a column of the table"},
+        {"at",
+         one_of(expect.at, {{"each", ExpectAt::Each},
+                            {"first", ExpectAt::First},
+                            {"last", ExpectAt::Last},
+                            {"max", ExpectAt::Max},
+                            {"mean", ExpectAt::Mean},
+                            {"min", ExpectAt::Min}}),
+         "", "", "what of the column is compared"},
+    };
+}
+
 Expectation read_expectation(TomlTable table, const std::string& file) {
     Expectation expect;
-    const std::vector<std::pair<std::string, std::string>> files{
-        {"stats", "stats"}, {"images", "images"}, {"timing", "timing"}};
-    table.read_choice("file", expect.file, files);
-    if (!table.read("column", expect.column)) {
+    read_keys(table, keys_of(expect));
+    if (!table.has("column")) {
         table.fail("needs column = \"NAME\"");
     }
-    const std::vector<std::pair<std::string, ExpectAt>> places{
-        {"each", ExpectAt::Each}, {"first", ExpectAt::First}, {"last", ExpectAt::Last},
-        {"max", ExpectAt::Max},   {"mean", ExpectAt::Mean},   {"min", ExpectAt::Min}};
-    table.read_choice("at", expect.at, places);
     read_frames(table, expect);
     read_bounds(table, expect);
     table.finish();

@@ -3,7 +3,7 @@
 #include "base/atomic_file.h"
 #include "scene/fabric_presets.h"
 #include "scene/parse_toml.h"
-#include "scene/read_parts.h"
+#include "scene/read_objects.h"
 
 #include <algorithm>
 

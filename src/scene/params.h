@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-/// What the user can ask of each algorithm: plain values with default, unit and range. `problem()`
-/// of each returns what is wrong in words that name the key, the value and what is allowed, or "".
+/// What the user can ask of each algorithm: plain values with default, unit and range. The keys of
+/// the scene file that set them are described in scene/scene_keys.h.
 namespace weft {
 
 inline constexpr double k_forever = std::numeric_limits<double>::infinity();
@@ -303,23 +303,5 @@ struct RenderParams {
     bool enabled = true; ///< false: a simulation writes no pictures
     bool operator==(const RenderParams&) const = default;
 };
-
-/// What is wrong, as `key = value: what is allowed` with the key as in the scene file, or "". Each
-/// looks at its own keys; what hangs below (fabric, pins) is asked on its own.
-std::string problem(const SceneParams& params);
-std::string problem(const Placement& params);
-std::string problem(const MeshSource& params);
-std::string problem(const FrictionPair& params);
-std::string problem(const FabricParams& params);
-std::string problem(const PinParams& params);
-std::string problem(const AdaptParams& params);
-std::string problem(const SpringParams& params);
-std::string problem(const ClothParams& params);
-std::string problem(const SolidParams& params);
-std::string problem(const RigidParams& params);
-std::string problem(const AnimationParams& params);
-std::string problem(const ObstacleParams& params);
-std::string problem(const AttachParams& params);
-std::string problem(const RenderParams& params);
 
 } // namespace weft

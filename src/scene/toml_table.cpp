@@ -181,15 +181,10 @@ bool TomlTable::read(std::string_view key, std::vector<std::string>& value) {
     return true;
 }
 
-int TomlTable::read_word(std::string_view key,
-                         const std::vector<std::string>& words,
-                         const std::vector<std::string>& later) {
+int TomlTable::read_word(std::string_view key, const std::vector<std::string>& words) {
     std::string word;
     if (!read(key, word)) {
         return -1;
-    }
-    if (std::find(later.begin(), later.end(), word) != later.end()) {
-        fail(key, "not there yet; must be " + quoted_list(words));
     }
     const auto found = std::find(words.begin(), words.end(), word);
     if (found == words.end()) {

@@ -39,22 +39,8 @@ public:
     /// A string, or an array of strings.
     bool read(std::string_view key, std::vector<std::string>& value);
 
-    /// One of some words; `later` lists words that the format has and this program does not yet.
-    template <typename T>
-    bool read_choice(std::string_view key,
-                     T& value,
-                     const std::vector<std::pair<std::string, T>>& choices,
-                     const std::vector<std::string>& later = {}) {
-        std::vector<std::string> words;
-        for (const auto& choice : choices) {
-            words.push_back(choice.first);
-        }
-        const int found = read_word(key, words, later);
-        if (found >= 0) {
-            value = choices[static_cast<std::size_t>(found)].second;
-        }
-        return found >= 0;
-    }
+    /// The index of the word under a key among `words`; -1 when the key is missing.
+    int read_word(std::string_view key, const std::vector<std::string>& words);
 
     /// The table under a key; it must be there and be a table.
     TomlTable table(std::string_view key);
@@ -76,9 +62,6 @@ public:
 
 private:
     const toml::node* find(std::string_view key);
-    int read_word(std::string_view key,
-                  const std::vector<std::string>& words,
-                  const std::vector<std::string>& later);
     template <typename V> bool read_vector(std::string_view key, V& value, std::size_t size);
 
     const toml::table* table_;

@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "scene/fabric.h"
 #include "scene/names.h"
+#include "scene/scene_keys.h"
 #include "support/paths.h"
 
 #include <gtest/gtest.h>
