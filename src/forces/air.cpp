@@ -1,9 +1,6 @@
 #include "forces/air.h"
 
-#include "base/parallel.h"
-
-#include <algorithm>
-#include <cassert>
+#include <cmath>
 
 namespace weft {
 
@@ -31,12 +28,8 @@ AirForce air_drag(const Vec3& doubled_area_normal, const Vec3& relative_velocity
 
 AirElements::AirElements(const Cloth& cloth, const SceneParams& scene)
     : density_(scene.air_density), wind_(scene.wind), pressure_(cloth.params.pressure) {
-    if (!acts()) {
-        return;
-    }
-    nodes_.reserve(3 * cloth.triangles.size());
-    for (const Triangle& t : cloth.triangles) {
-        nodes_.insert(nodes_.end(), t.begin(), t.end());
+    if (acts()) {
+        set_triangles(cloth);
     }
 }
 
@@ -45,71 +38,46 @@ std::vector<Index> AirElements::update(const Cloth& cloth, const ClothChanges& c
     if (!acts()) {
         return {};
     }
-    nodes_.resize(3 * cloth.triangles.size());
-    for (const Index slot : changes.triangles) {
-        const auto t = static_cast<std::size_t>(slot);
-        std::copy(cloth.triangles[t].begin(), cloth.triangles[t].end(), &nodes_[3 * t]);
-    }
+    update_triangles(cloth, changes);
     return changes.triangles;
 }
 
-double AirElements::energy(std::span<const Vec3> x) const {
-    if (pressure_ == 0.0) {
-        return 0.0;
-    }
-    return parallel_sum(size(), [&](std::size_t t) {
-        const Vec3& x0 = x[static_cast<std::size_t>(nodes_[3 * t])];
-        const Vec3& x1 = x[static_cast<std::size_t>(nodes_[3 * t + 1])];
-        const Vec3& x2 = x[static_cast<std::size_t>(nodes_[3 * t + 2])];
-        return -pressure_ / 6.0 * x0.dot(x1.cross(x2));
-    });
+double AirElements::energy_of(std::size_t face, std::span<const Vec3> x) const {
+    const auto [x0, x1, x2] = gather(face, x);
+    return -pressure_ / 6.0 * x0.dot(x1.cross(x2));
 }
 
 AirForce
-AirElements::on_face(std::size_t t, std::span<const Vec3> x, std::span<const Vec3> v) const {
-    const auto i0 = static_cast<std::size_t>(nodes_[3 * t]);
-    const auto i1 = static_cast<std::size_t>(nodes_[3 * t + 1]);
-    const auto i2 = static_cast<std::size_t>(nodes_[3 * t + 2]);
-    const Vec3 doubled_area_normal = (x[i1] - x[i0]).cross(x[i2] - x[i0]);
-    const Vec3 velocity = (v[i0] + v[i1] + v[i2]) / 3.0;
-    const Vec3 tangent_at = reference_.empty()
-                                ? velocity
-                                : Vec3((reference_[i0] + reference_[i1] + reference_[i2]) / 3.0);
+AirElements::on_face(std::size_t face, std::span<const Vec3> x, std::span<const Vec3> v) const {
+    const auto [x0, x1, x2] = gather(face, x);
+    const auto mean = [&](std::span<const Vec3> values) {
+        const auto [v0, v1, v2] = gather(face, values);
+        return Vec3((v0 + v1 + v2) / 3.0);
+    };
+    const Vec3 doubled_area_normal = (x1 - x0).cross(x2 - x0);
+    const Vec3 velocity = mean(v);
+    const Vec3 tangent_at = reference_.empty() ? velocity : mean(reference_);
     AirForce air = air_drag(doubled_area_normal, tangent_at - wind_, density_);
     air.force -= air.damping * (velocity - tangent_at);
     air.force += 0.5 * pressure_ * doubled_area_normal;
     return air;
 }
 
-void AirElements::forces(std::span<const Vec3> x,
-                         std::span<const Vec3> v,
-                         std::span<Vec3> element_forces) const {
-    assert(element_forces.size() == 3 * size());
-    parallel_for(size(), [&](std::size_t t) {
-        const Vec3 third = on_face(t, x, v).force / 3.0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            element_forces[3 * t + k] = third;
-        }
-    });
+std::array<Vec3, 3>
+AirElements::force_of(std::size_t face, std::span<const Vec3> x, std::span<const Vec3> v) const {
+    const Vec3 third = on_face(face, x, v).force / 3.0;
+    return {third, third, third};
 }
 
-void AirElements::evaluate(std::span<const Vec3> x,
-                           std::span<const Vec3> v,
-                           SystemScales scales,
-                           std::span<Vec3> element_forces,
-                           std::span<Mat3> element_blocks) const {
-    assert(element_forces.size() == 3 * size() && element_blocks.size() == 6 * size());
-    parallel_for(size(), [&](std::size_t t) {
-        const AirForce air = on_face(t, x, v);
-        const Vec3 third = air.force / 3.0;
-        const Mat3 ninth = scales.damping / 9.0 * air.damping;
-        for (std::size_t k = 0; k < 3; ++k) {
-            element_forces[3 * t + k] = third;
-        }
-        for (std::size_t b = 0; b < 6; ++b) {
-            element_blocks[6 * t + b] = ninth;
-        }
-    });
+ElementTerms<3> AirElements::terms_of(std::size_t face,
+                                      std::span<const Vec3> x,
+                                      std::span<const Vec3> v,
+                                      SystemScales scales) const {
+    const AirForce air = on_face(face, x, v);
+    ElementTerms<3> terms;
+    terms.force.fill(air.force / 3.0);
+    terms.stiffness.fill(scales.damping / 9.0 * air.damping);
+    return terms;
 }
 
 } // namespace weft

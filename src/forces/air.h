@@ -1,12 +1,7 @@
 #pragma once
 
-#include "forces/element_terms.h"
+#include "forces/elements.h"
 #include "scene/params.h"
-#include "state/cloth.h"
-#include "state/cloth_changes.h"
-
-#include <span>
-#include <vector>
 
 namespace weft {
 
@@ -29,12 +24,10 @@ struct AirForce {
 /// @param doubled_area_normal  (x1 - x0) x (x2 - x0), m^2
 AirForce air_drag(const Vec3& doubled_area_normal, const Vec3& relative_velocity, double density);
 
-/// Wind, drag and inner pressure on the faces of a cloth, a third on each corner (see
-/// forces/element_terms.h). The blocks hold the drag's dependence on velocity alone.
-class AirElements {
+/// Wind, drag and inner pressure on the faces of a cloth, a third on each corner. The blocks hold
+/// the drag's dependence on velocity alone.
+class AirElements : public ElementLoops<AirElements, 3> {
 public:
-    static constexpr int k_nodes = 3;
-
     /// No elements without air and pressure.
     AirElements(const Cloth& cloth, const SceneParams& scene);
 
@@ -46,28 +39,23 @@ public:
     /// drag.
     void linearise_at(std::span<const Vec3> v) { reference_.assign(v.begin(), v.end()); }
 
-    std::size_t size() const { return nodes_.size() / 3; }
-    std::span<const Index> nodes() const { return nodes_; }
-
-    /// Potential of the pressure, -p times the enclosed volume (of a closed cloth), J. Drag has
-    /// none.
-    double energy(std::span<const Vec3> x) const;
-    void
-    forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> element_forces) const;
-    void evaluate(std::span<const Vec3> x,
-                  std::span<const Vec3> v,
-                  SystemScales scales,
-                  std::span<Vec3> element_forces,
-                  std::span<Mat3> element_blocks) const;
+    /// Potential of the pressure, -p times the volume between the face and the origin: the sum is
+    /// that of the enclosed volume of a closed cloth. Drag has none.
+    double energy_of(std::size_t face, std::span<const Vec3> x) const;
+    std::array<Vec3, 3>
+    force_of(std::size_t face, std::span<const Vec3> x, std::span<const Vec3> v) const;
+    ElementTerms<3> terms_of(std::size_t face,
+                             std::span<const Vec3> x,
+                             std::span<const Vec3> v,
+                             SystemScales scales) const;
 
 private:
     bool acts() const { return density_ > 0.0 || pressure_ != 0.0; }
-    AirForce on_face(std::size_t t, std::span<const Vec3> x, std::span<const Vec3> v) const;
+    AirForce on_face(std::size_t face, std::span<const Vec3> x, std::span<const Vec3> v) const;
 
-    double density_;
-    Vec3 wind_;
-    double pressure_;
-    std::vector<Index> nodes_;
+    double density_;              ///< kg/m^3
+    Vec3 wind_;                   ///< m/s
+    double pressure_;             ///< Pa
     std::vector<Vec3> reference_; ///< #V, m/s; empty: the law itself
 };
 

@@ -1,9 +1,7 @@
 #include "forces/attachment_elements.h"
 
-#include "base/parallel.h"
-
-#include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace weft {
 
@@ -14,7 +12,7 @@ namespace {
 /// Smaller: seams gape; larger: the linear solve takes more iterations.
 constexpr double k_weld_stiffness = 100.0;
 
-/// Of critical damping.
+/// Damping along a taut thread, as a fraction of critical damping.
 constexpr double k_damping_ratio = 1.0;
 
 /// Tension of a thread at distance d, its energy, and its slope as the solve is to see it.
@@ -35,17 +33,18 @@ Tension tension(const Thread& thread, double distance) {
     return {thread.limit * (stretch - 0.5 * reach), thread.limit, thread.limit / stretch};
 }
 
+/// Mass that one end of the pair moves against the other, kg.
 double moved_mass(const AttachedPair& pair, std::span<const double> masses) {
     double inverse = 0.0;
     for (std::size_t i = 0; i < 6; ++i) {
         if (pair.vertices[i] != k_no_index) {
-            inverse += pair.weights[i] * pair.weights[i] /
-                       masses[static_cast<std::size_t>(pair.vertices[i])];
+            inverse += pair.weights[i] * pair.weights[i] / masses[at(pair.vertices[i])];
         }
     }
     return 1.0 / inverse;
 }
 
+/// The thread of a pair in the substep from start_time to end_time (s).
 Thread thread_of(const Attachment& attachment,
                  const AttachedPair& pair,
                  const AttachedState& state,
@@ -112,55 +111,27 @@ AttachmentElements::AttachmentElements(const World& world)
 void AttachmentElements::set(const World& world, double end_time) {
     assert(world.attached_states.size() == size() && end_time > world.time);
     parallel_for(size(), [&](std::size_t i) {
-        const auto attachment = static_cast<std::size_t>(pairs_[i].attachment);
-        threads_[i] = thread_of(world.attachments[attachment], pairs_[i], world.attached_states[i],
-                                masses_[i], world.time, end_time);
+        threads_[i] = thread_of(world.attachments[at(pairs_[i].attachment)], pairs_[i],
+                                world.attached_states[i], masses_[i], world.time, end_time);
     });
 }
 
-double AttachmentElements::energy(std::span<const Vec3> x) const {
-    return parallel_sum(size(), [&](std::size_t i) {
-        return tension(threads_[i], pair_gap(pairs_[i], x).norm()).energy;
-    });
+double AttachmentElements::energy_of(std::size_t pair, std::span<const Vec3> x) const {
+    return tension(threads_[pair], pair_gap(pairs_[pair], x).norm()).energy;
 }
 
-ElementTerms<6> AttachmentElements::terms(std::size_t pair,
-                                          std::span<const Vec3> x,
-                                          std::span<const Vec3> v,
-                                          SystemScales scales) const {
+ElementTerms<6> AttachmentElements::terms_of(std::size_t pair,
+                                             std::span<const Vec3> x,
+                                             std::span<const Vec3> v,
+                                             SystemScales scales) const {
     std::array<Vec3, 6> positions, velocities;
     for (std::size_t a = 0; a < 6; ++a) {
         const Index vertex = pairs_[pair].vertices[a];
         const bool is_there = vertex != k_no_index;
-        positions[a] = is_there ? x[static_cast<std::size_t>(vertex)] : Vec3(Vec3::Zero());
-        velocities[a] = is_there ? v[static_cast<std::size_t>(vertex)] : Vec3(Vec3::Zero());
+        positions[a] = is_there ? x[at(vertex)] : Vec3(Vec3::Zero());
+        velocities[a] = is_there ? v[at(vertex)] : Vec3(Vec3::Zero());
     }
     return thread_terms(positions, velocities, pairs_[pair].weights, threads_[pair], scales);
-}
-
-void AttachmentElements::forces(std::span<const Vec3> x,
-                                std::span<const Vec3> v,
-                                std::span<Vec3> element_forces) const {
-    assert(element_forces.size() == 6 * size());
-    parallel_for(size(), [&](std::size_t e) {
-        const auto force = terms(e, x, v, {}).force;
-        std::copy(force.begin(), force.end(), element_forces.begin() + static_cast<long>(6 * e));
-    });
-}
-
-void AttachmentElements::evaluate(std::span<const Vec3> x,
-                                  std::span<const Vec3> v,
-                                  SystemScales scales,
-                                  std::span<Vec3> element_forces,
-                                  std::span<Mat3> element_blocks) const {
-    assert(element_forces.size() == 6 * size() && element_blocks.size() == 21 * size());
-    parallel_for(size(), [&](std::size_t e) {
-        const ElementTerms<6> result = terms(e, x, v, scales);
-        std::copy(result.force.begin(), result.force.end(),
-                  element_forces.begin() + static_cast<long>(6 * e));
-        std::copy(result.stiffness.begin(), result.stiffness.end(),
-                  element_blocks.begin() + static_cast<long>(21 * e));
-    });
 }
 
 } // namespace weft

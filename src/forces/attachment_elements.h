@@ -1,10 +1,7 @@
 #pragma once
 
-#include "forces/element_terms.h"
+#include "forces/elements.h"
 #include "state/world.h"
-
-#include <span>
-#include <vector>
 
 namespace weft {
 
@@ -37,35 +34,22 @@ ElementTerms<6> thread_terms(const std::array<Vec3, 6>& x,
                              SystemScales scales);
 
 /// All attached pairs of a world, with the world's own vertex indices.
-class AttachmentElements {
+class AttachmentElements : public ElementLoops<AttachmentElements, 6> {
 public:
-    static constexpr int k_nodes = 6;
-
     explicit AttachmentElements(const World& world);
 
     /// Threads as they are in a substep that ends at `end_time` (s).
     void set(const World& world, double end_time);
 
-    std::size_t size() const { return pairs_.size(); }
-    std::span<const Index> nodes() const { return nodes_; }
-    double energy(std::span<const Vec3> x) const;
-    void
-    forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> element_forces) const;
-    void evaluate(std::span<const Vec3> x,
-                  std::span<const Vec3> v,
-                  SystemScales scales,
-                  std::span<Vec3> element_forces,
-                  std::span<Mat3> element_blocks) const;
+    double energy_of(std::size_t pair, std::span<const Vec3> x) const;
+    ElementTerms<6> terms_of(std::size_t pair,
+                             std::span<const Vec3> x,
+                             std::span<const Vec3> v,
+                             SystemScales scales) const;
 
 private:
-    ElementTerms<6> terms(std::size_t pair,
-                          std::span<const Vec3> x,
-                          std::span<const Vec3> v,
-                          SystemScales scales) const;
-
     std::vector<AttachedPair> pairs_;
     std::vector<double> masses_; ///< #pairs, that one end moves against the other, kg
-    std::vector<Index> nodes_;
     std::vector<Thread> threads_;
 };
 

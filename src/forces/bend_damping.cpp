@@ -1,19 +1,17 @@
 #include "forces/bend_damping.h"
 
-#include "base/parallel.h"
-#include "forces/changed_slots.h"
+#include "forces/constant_bending.h"
 #include "geometry/dihedral.h"
 #include "geometry/triangle_mesh.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace weft {
 
 namespace {
 
-/// Share of its rest area at which a triangle counts as collapsed.
-constexpr double k_collapsed_share = 0.1;
+/// A triangle below this fraction of its rest area counts as collapsed.
+constexpr double k_collapsed_fraction = 0.1;
 
 } // namespace
 
@@ -49,8 +47,7 @@ BendDampingElements::BendDampingElements(const Cloth& cloth)
     if (stiffness_ <= 0.0) {
         return;
     }
-    hinges_.resize(cloth.topology.edges.size());
-    nodes_.resize(4 * hinges_.size());
+    resize(cloth);
     for (std::size_t e = 0; e < hinges_.size(); ++e) {
         set_hinge(cloth, static_cast<Index>(e));
     }
@@ -60,8 +57,7 @@ std::vector<Index> BendDampingElements::update(const Cloth& cloth, const ClothCh
     if (stiffness_ <= 0.0) {
         return {};
     }
-    hinges_.resize(cloth.topology.edges.size());
-    nodes_.resize(4 * hinges_.size());
+    resize(cloth);
     std::vector<Index> slots = changed_hinges(cloth, changes);
     for (const Index slot : slots) {
         set_hinge(cloth, slot);
@@ -69,69 +65,44 @@ std::vector<Index> BendDampingElements::update(const Cloth& cloth, const ClothCh
     return slots;
 }
 
-void BendDampingElements::set_hinge(const Cloth& cloth, Index slot) {
-    const auto e = static_cast<std::size_t>(slot);
+void BendDampingElements::resize(const Cloth& cloth) {
+    hinges_.resize(cloth.topology.edges.size());
+    nodes_.resize(4 * hinges_.size());
+}
+
+void BendDampingElements::set_hinge(const Cloth& cloth, Index edge_index) {
+    const std::size_t e = at(edge_index);
     const MeshEdge& edge = cloth.topology.edges[e];
     if (edge.is_boundary()) {
         hinges_[e] = {0.0, 0.0};
         std::fill_n(&nodes_[4 * e], 4, k_no_index);
         return;
     }
-    const auto t = static_cast<std::size_t>(edge.triangle[0]);
-    const double a0 = cloth.rest[t].area;
-    const double a1 = cloth.rest[static_cast<std::size_t>(edge.triangle[1])].area;
-    const Triangle& corners = cloth.triangles[t];
+    const RestTriangle& rest = cloth.rest[at(edge.triangle[0])];
+    const double a0 = rest.area;
+    const double a1 = cloth.rest[at(edge.triangle[1])].area;
+    const Triangle& corners = cloth.triangles[at(edge.triangle[0])];
     const auto opposite =
         static_cast<int>(std::find(corners.begin(), corners.end(), edge.apex[0]) - corners.begin());
-    const double length = rest_edge_length(cloth.rest[t], opposite);
-    hinges_[e] = {stiffness_ * length * length / (a0 + a1), k_collapsed_share * std::min(a0, a1)};
+    const double length = rest_edge_length(rest, opposite);
+    hinges_[e] = {stiffness_ * length * length / (a0 + a1),
+                  k_collapsed_fraction * std::min(a0, a1)};
     std::copy(edge.v.begin(), edge.v.end(), &nodes_[4 * e]);
     std::copy(edge.apex.begin(), edge.apex.end(), &nodes_[4 * e + 2]);
 }
 
-ElementTerms<4> BendDampingElements::terms(std::size_t hinge,
-                                           std::span<const Vec3> x,
-                                           std::span<const Vec3> v,
-                                           SystemScales scales) const {
+ElementTerms<4> BendDampingElements::terms_of(std::size_t hinge,
+                                              std::span<const Vec3> x,
+                                              std::span<const Vec3> v,
+                                              SystemScales scales) const {
     if (nodes_[4 * hinge] == k_no_index) {
         ElementTerms<4> none;
         none.force.fill(Vec3::Zero());
         none.stiffness.fill(Mat3::Zero());
         return none;
     }
-    std::array<Vec3, 4> positions, velocities;
-    for (std::size_t a = 0; a < 4; ++a) {
-        const auto vertex = static_cast<std::size_t>(nodes_[4 * hinge + a]);
-        positions[a] = x[vertex];
-        velocities[a] = v[vertex];
-    }
-    return hinge_damping_terms(positions, velocities, hinges_[hinge].damping,
+    return hinge_damping_terms(gather(hinge, x), gather(hinge, v), hinges_[hinge].damping,
                                hinges_[hinge].least_area, scales);
-}
-
-void BendDampingElements::forces(std::span<const Vec3> x,
-                                 std::span<const Vec3> v,
-                                 std::span<Vec3> element_forces) const {
-    assert(element_forces.size() == 4 * size());
-    parallel_for(size(), [&](std::size_t e) {
-        const auto force = terms(e, x, v, {}).force;
-        std::copy(force.begin(), force.end(), element_forces.begin() + static_cast<long>(4 * e));
-    });
-}
-
-void BendDampingElements::evaluate(std::span<const Vec3> x,
-                                   std::span<const Vec3> v,
-                                   SystemScales scales,
-                                   std::span<Vec3> element_forces,
-                                   std::span<Mat3> element_blocks) const {
-    assert(element_forces.size() == 4 * size() && element_blocks.size() == 10 * size());
-    parallel_for(size(), [&](std::size_t e) {
-        const ElementTerms<4> result = terms(e, x, v, scales);
-        std::copy(result.force.begin(), result.force.end(),
-                  element_forces.begin() + static_cast<long>(4 * e));
-        std::copy(result.stiffness.begin(), result.stiffness.end(),
-                  element_blocks.begin() + static_cast<long>(10 * e));
-    });
 }
 
 } // namespace weft

@@ -1,11 +1,6 @@
 #pragma once
 
-#include "forces/element_terms.h"
-#include "state/cloth.h"
-#include "state/cloth_changes.h"
-
-#include <span>
-#include <vector>
+#include "forces/elements.h"
 
 namespace weft {
 
@@ -23,43 +18,30 @@ ElementTerms<4> hinge_damping_terms(const std::array<Vec3, 4>& x,
                                     SystemScales scales);
 
 /// Damping of bending over a whole cloth: a hinge an edge with c = tau D L^2 / (A0 + A1), tau the
-/// fabric's stiffness damping (see forces/element_terms.h); on the boundary c = 0 and all nodes are
-/// k_no_index. The constant matrix of the elastic part cannot serve for this: -tau Q v brakes the
-/// rotation of a bent sheet.
-class BendDampingElements {
+/// fabric's stiffness damping; on the boundary c = 0 and all nodes are k_no_index. The constant
+/// matrix of the elastic part cannot serve for this: -tau Q v brakes the rotation of a bent sheet.
+class BendDampingElements : public ElementLoops<BendDampingElements, 4> {
 public:
-    static constexpr int k_nodes = 4;
-
     /// No elements when the fabric's damping or rigidity is zero.
     explicit BendDampingElements(const Cloth& cloth);
 
     std::vector<Index> update(const Cloth& cloth, const ClothChanges& changes);
 
-    std::size_t size() const { return hinges_.size(); }
-    std::span<const Index> nodes() const { return nodes_; }
-    double energy(std::span<const Vec3>) const { return 0.0; }
-    void
-    forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> element_forces) const;
-    void evaluate(std::span<const Vec3> x,
-                  std::span<const Vec3> v,
-                  SystemScales scales,
-                  std::span<Vec3> element_forces,
-                  std::span<Mat3> element_blocks) const;
+    ElementTerms<4> terms_of(std::size_t hinge,
+                             std::span<const Vec3> x,
+                             std::span<const Vec3> v,
+                             SystemScales scales) const;
 
 private:
     struct Hinge {
         double damping;    ///< N m s
         double least_area; ///< m^2
     };
-    void set_hinge(const Cloth& cloth, Index slot);
-    ElementTerms<4> terms(std::size_t hinge,
-                          std::span<const Vec3> x,
-                          std::span<const Vec3> v,
-                          SystemScales scales) const;
+    void resize(const Cloth& cloth);
+    void set_hinge(const Cloth& cloth, Index edge);
 
     double stiffness_; ///< tau D, N m s
     std::vector<Hinge> hinges_;
-    std::vector<Index> nodes_;
 };
 
 } // namespace weft

@@ -1,6 +1,6 @@
 #include "forces/bending.h"
 
-#include "forces/element_terms.h"
+#include "forces/elements.h"
 
 #include <Eigen/LU>
 

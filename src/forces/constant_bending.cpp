@@ -1,15 +1,45 @@
 #include "forces/constant_bending.h"
 
-#include "base/parallel.h"
 #include "forces/bending.h"
-#include "forces/changed_slots.h"
-
-#include <algorithm>
-#include <cassert>
 
 namespace weft {
 
 namespace {
+
+/// Sorts slots below `count`, each once. Many of them are ticked off and gathered, which is faster.
+void sort_once(std::vector<Index>& slots, std::size_t count) {
+    constexpr std::size_t k_many = 64; // one in so many
+    if (slots.size() < count / k_many) {
+        std::sort(slots.begin(), slots.end());
+        slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+        return;
+    }
+    std::vector<char> is_in(count, 0);
+    for (const Index slot : slots) {
+        is_in[at(slot)] = 1;
+    }
+    slots.clear();
+    for (std::size_t slot = 0; slot < count; ++slot) {
+        if (is_in[slot] != 0) {
+            slots.push_back(static_cast<Index>(slot));
+        }
+    }
+}
+
+/// Triangles that changed, or one of whose edges or neighbours did; as changed_hinges.
+std::vector<Index> changed_patches(const Cloth& cloth, const ClothChanges& changes) {
+    // A triangle and its neighbours are all those at its edges.
+    std::vector<Index> slots = changes.triangles;
+    for (const Index e : changed_hinges(cloth, changes)) {
+        for (const Index t : cloth.topology.edges[at(e)].triangle) {
+            if (t != k_no_index) {
+                slots.push_back(t);
+            }
+        }
+    }
+    sort_once(slots, cloth.triangles.size());
+    return slots;
+}
 
 /// Rest corners of triangle t, turned so that vertex `first` comes first.
 RestCorners corners_from(const Cloth& cloth, Index t, Index first) {
@@ -67,9 +97,9 @@ template <typename F> void for_each_entry(int n, std::span<const double> q, cons
     for (int a = 0; a < n; ++a) {
         for (int b = a; b < n; ++b) {
             const double value = q[block_index(n, a, b)];
-            f(static_cast<std::size_t>(a), static_cast<std::size_t>(b), value);
+            f(at(a), at(b), value);
             if (a != b) {
-                f(static_cast<std::size_t>(b), static_cast<std::size_t>(a), value);
+                f(at(b), at(a), value);
             }
         }
     }
@@ -95,13 +125,23 @@ void set_element_of(const Cloth& cloth,
 
 } // namespace
 
-std::size_t bend_slots(const Cloth& cloth) {
+std::vector<Index> changed_hinges(const Cloth& cloth, const ClothChanges& changes) {
+    std::vector<Index> slots = changes.edges;
+    for (const Index t : changes.triangles) {
+        const auto& edges = cloth.topology.triangle_edges[at(t)];
+        slots.insert(slots.end(), edges.begin(), edges.end());
+    }
+    sort_once(slots, cloth.topology.edges.size());
+    return slots;
+}
+
+std::size_t ConstantBending::slot_count(const Cloth& cloth) {
     return cloth.params.fabric.bend_stiffness <= 0.0         ? 0
            : cloth.params.bend_model == BendModel::Quadratic ? cloth.topology.edges.size()
                                                              : cloth.triangles.size();
 }
 
-std::vector<Index> changed_bends(const Cloth& cloth, const ClothChanges& changes) {
+std::vector<Index> ConstantBending::changed_slots(const Cloth& cloth, const ClothChanges& changes) {
     if (cloth.params.fabric.bend_stiffness <= 0.0) {
         return {};
     }
@@ -109,11 +149,11 @@ std::vector<Index> changed_bends(const Cloth& cloth, const ClothChanges& changes
                                                            : changed_patches(cloth, changes);
 }
 
-BendElement bend_element(const Cloth& cloth, Index slot) {
+BendElement ConstantBending::element(const Cloth& cloth, Index slot) {
     BendElement element;
     if (cloth.params.fabric.bend_stiffness > 0.0) {
         element.count = nodes_of(cloth.params.bend_model);
-        set_element_of(cloth, slot, {element.nodes.data(), static_cast<std::size_t>(element.count)},
+        set_element_of(cloth, slot, {element.nodes.data(), at(element.count)},
                        {element.stiffness.data(), at(block_count(element.count))});
     }
     return element;
@@ -150,7 +190,7 @@ ConstantBending::ConstantBending(const Cloth& cloth)
 
 std::vector<Index> ConstantBending::update(const Cloth& cloth, const ClothChanges& changes) {
     resize(cloth);
-    std::vector<Index> slots = changed_bends(cloth, changes);
+    std::vector<Index> slots = changed_slots(cloth, changes);
     for (const Index slot : slots) {
         set_element(cloth, slot);
     }
@@ -158,14 +198,14 @@ std::vector<Index> ConstantBending::update(const Cloth& cloth, const ClothChange
 }
 
 void ConstantBending::resize(const Cloth& cloth) {
-    const std::size_t elements = bend_slots(cloth);
-    nodes_.resize(elements * static_cast<std::size_t>(nodes_per_element_));
-    stiffness_.resize(elements * static_cast<std::size_t>(block_count(nodes_per_element_)));
+    const std::size_t elements = slot_count(cloth);
+    nodes_.resize(elements * at(nodes_per_element_));
+    stiffness_.resize(elements * at(block_count(nodes_per_element_)));
 }
 
 void ConstantBending::set_element(const Cloth& cloth, Index slot) {
-    const auto count = static_cast<std::size_t>(nodes_per_element_);
-    const auto entries = static_cast<std::size_t>(block_count(nodes_per_element_));
+    const auto count = at(nodes_per_element_);
+    const auto entries = at(block_count(nodes_per_element_));
     const std::span<Index> nodes(&nodes_[at(slot) * count], count);
     const std::span<double> stiffness(&stiffness_[at(slot) * entries], entries);
     set_element_of(cloth, slot, nodes, stiffness);
@@ -174,8 +214,8 @@ void ConstantBending::set_element(const Cloth& cloth, Index slot) {
 void ConstantBending::forces(std::span<const Vec3> x, std::span<Vec3> element_forces) const {
     assert(element_forces.size() == nodes_.size());
     const int n = nodes_per_element_;
-    const auto count = static_cast<std::size_t>(n);
-    const auto entries = static_cast<std::size_t>(block_count(n));
+    const auto count = at(n);
+    const auto entries = at(block_count(n));
     parallel_for(size(), [&](std::size_t e) {
         const Index* nodes = &nodes_[e * count];
         // Relative to the first node: the rows of Q sum to zero, and far from the origin nothing
@@ -199,8 +239,8 @@ void ConstantBending::forces(std::span<const Vec3> x, std::span<Vec3> element_fo
 
 double ConstantBending::energy(std::span<const Vec3> x) const {
     const int n = nodes_per_element_;
-    const auto count = static_cast<std::size_t>(n);
-    const auto entries = static_cast<std::size_t>(block_count(n));
+    const auto count = at(n);
+    const auto entries = at(block_count(n));
     return parallel_sum(size(), [&](std::size_t e) {
         const Index* nodes = &nodes_[e * count];
         if (nodes[0] == k_no_index) {

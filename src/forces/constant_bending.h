@@ -1,24 +1,23 @@
 #pragma once
 
-#include "forces/element_terms.h"
-#include "state/cloth.h"
-#include "state/cloth_changes.h"
-
-#include <algorithm>
-#include <span>
-#include <vector>
+#include "forces/elements.h"
 
 namespace weft {
 
-/// One stencil of a cloth's bending. Rows of its matrix sum to zero.
+/// Edges that an adaptation changed, or one of whose triangles it changed: those whose bending is
+/// another one, as slots of the cloth as it is now, ascending, each once.
+std::vector<Index> changed_hinges(const Cloth& cloth, const ClothChanges& changes);
+
+/// One stencil of a cloth's bending by itself (forces/elements.h says what elements have). Rows of
+/// its matrix sum to zero.
 struct BendElement {
-    int count = 0;                      ///< of nodes: 4 or 6
+    int count = 0;                      ///< of nodes: 4 or 6; 0: the cloth does not bend
     std::array<Index, 6> nodes{};       ///< the first `count`; k_no_index: none there
     std::array<double, 21> stiffness{}; ///< block_count(count) of Q, upper triangle, N/m
 
     /// No element: the cloth does not bend there.
     bool empty() const { return count == 0 || nodes[0] == k_no_index; }
-    Index node(int a) const { return nodes[static_cast<std::size_t>(a)]; }
+    Index node(int a) const { return nodes[at(a)]; }
     bool has(int a) const { return node(a) != k_no_index; }
     double q(int a, int b) const {
         return stiffness[block_index(count, std::min(a, b), std::max(a, b))];
@@ -30,17 +29,16 @@ struct BendElement {
 
     /// 1/2 sum Q_ab x_a.x_b, J.
     double energy(std::span<const Vec3> x) const;
+
+    /// Calls f(node, force in N) for each node.
+    template <typename F> void for_each_force(std::span<const Vec3> x, const F& f) const {
+        for (int a = 0; a < count; ++a) {
+            if (has(a)) {
+                f(node(a), Vec3(-gradient(a, x)));
+            }
+        }
+    }
 };
-
-/// How many slots of elements a cloth has: edges of BendModel::Quadratic, triangles of
-/// BendModel::MidEdge, none when it does not bend.
-std::size_t bend_slots(const Cloth& cloth);
-
-/// Slots whose element an adaptation changed, as the cloth is now.
-std::vector<Index> changed_bends(const Cloth& cloth, const ClothChanges& changes);
-
-/// The element in a slot.
-BendElement bend_element(const Cloth& cloth, Index slot);
 
 /// Bending of a whole cloth with a constant matrix: energy 1/2 sum Q_ab x_a.x_b over stencils,
 /// force -Q x, stiffness Q times the 3×3 identity; see forces/bending.h. Since Q never changes it
@@ -54,13 +52,15 @@ public:
     /// bending rigidity is zero.
     explicit ConstantBending(const Cloth& cloth);
 
-    /// As forces/element_terms.h says of every set.
+    /// Slots are edges of BendModel::Quadratic, triangles of BendModel::MidEdge; there are none
+    /// when the cloth does not bend.
+    static std::size_t slot_count(const Cloth& cloth);
+    static std::vector<Index> changed_slots(const Cloth& cloth, const ClothChanges& changes);
+    static BendElement element(const Cloth& cloth, Index slot);
     std::vector<Index> update(const Cloth& cloth, const ClothChanges& changes);
 
     int nodes_per_element() const { return nodes_per_element_; } ///< 4 or 6
-    std::size_t size() const {
-        return nodes_.size() / static_cast<std::size_t>(nodes_per_element_);
-    }
+    std::size_t size() const { return nodes_.size() / at(nodes_per_element_); }
     std::span<const Index> nodes() const { return nodes_; }
 
     /// Q of each element, block_count(nodes_per_element()) scalars, upper triangle, N/m.

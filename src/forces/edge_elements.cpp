@@ -1,8 +1,5 @@
 #include "forces/edge_elements.h"
 
-#include "base/parallel.h"
-#include "forces/edge_kernel.h"
-
 #include <cassert>
 
 namespace weft {
@@ -44,53 +41,9 @@ EdgeElements::EdgeElements(const EdgeNetwork& network, Model model, const Spring
     add(true);
 }
 
-Vec3 EdgeElements::difference(std::size_t edge, std::span<const Vec3> values) const {
-    return values[static_cast<std::size_t>(nodes_[2 * edge])] -
-           values[static_cast<std::size_t>(nodes_[2 * edge + 1])];
-}
-
-double EdgeElements::energy(std::span<const Vec3> x, std::size_t begin) const {
-    return parallel_sum(size() - begin, [&](std::size_t i) {
-        const std::size_t e = begin + i;
-        const EdgeKernel kernel(law(e), stiffness_[e], rest_lengths_[e], difference(e, x));
-        return kernel.energy(law(e), stiffness_[e], rest_lengths_[e]);
-    });
-}
-
-double EdgeElements::energy(std::span<const Vec3> x) const {
-    return energy(x, 0);
-}
-
 double EdgeElements::bending_energy(std::span<const Vec3> x) const {
-    return energy(x, bending_begin_);
-}
-
-void EdgeElements::forces(std::span<const Vec3> x,
-                          std::span<const Vec3> v,
-                          std::span<Vec3> element_forces) const {
-    assert(element_forces.size() == 2 * size());
-    parallel_for(size(), [&](std::size_t e) {
-        const EdgeKernel kernel(law(e), stiffness_[e], rest_lengths_[e], difference(e, x));
-        const Vec3 force = kernel.force(law(e), difference(e, v));
-        element_forces[2 * e] = force;
-        element_forces[2 * e + 1] = -force;
-    });
-}
-
-void EdgeElements::evaluate(std::span<const Vec3> x,
-                            std::span<const Vec3> v,
-                            SystemScales scales,
-                            std::span<Vec3> element_forces,
-                            std::span<Mat3> element_blocks) const {
-    assert(element_forces.size() == 2 * size() && element_blocks.size() == size());
-    parallel_for(size(), [&](std::size_t e) {
-        const EdgeLaw& edge_law = law(e);
-        const EdgeKernel kernel(edge_law, stiffness_[e], rest_lengths_[e], difference(e, x));
-        const Vec3 force = kernel.force(edge_law, difference(e, v));
-        element_forces[2 * e] = force;
-        element_forces[2 * e + 1] = -force;
-        element_blocks[e] = kernel.block(edge_law, stiffness_[e], rest_lengths_[e], scales);
-    });
+    return parallel_sum(size() - bending_begin_,
+                        [&](std::size_t i) { return energy_of(bending_begin_ + i, x); });
 }
 
 } // namespace weft

@@ -1,7 +1,5 @@
 #include "forces/edge_law.h"
 
-#include "forces/edge_kernel.h"
-
 namespace weft {
 
 CubicCoefficients cubic_coefficients(const LawShape& shape, double stiffness, double rest_length) {
@@ -13,10 +11,10 @@ CubicCoefficients cubic_coefficients(const LawShape& shape, double stiffness, do
 
 namespace {
 
-/// Share of the way to where a limit has no bound from which on it goes straight on.
+/// Fraction of the way to where a limit has no bound, from which on its force is linear.
 constexpr double k_straight = 0.95;
 
-/// How far past a limit its force has no bound, as a share of it.
+/// How far past a limit its force has no bound, as a fraction of the limit.
 constexpr double k_limit_width = 0.01;
 
 /// Energy over force and width, force, and its derivative by u.

@@ -1,11 +1,8 @@
 #include "forces/rigid_elements.h"
 
 #include "base/cross_matrix.h"
-#include "base/parallel.h"
 
 #include <Eigen/Dense>
-
-#include <cassert>
 
 namespace weft {
 
@@ -44,41 +41,19 @@ RigidElements::RigidElements(const World& world) {
     }
 }
 
-ElementTerms<4> RigidElements::terms(std::size_t body, std::span<const Vec3> x) const {
-    const auto node = [&](std::size_t i) {
-        return x[static_cast<std::size_t>(nodes_[4 * body + i])];
-    };
-    return rigid_terms({node(0), node(1), node(2), node(3)}, rests_[body], stiffness_[body]);
+double RigidElements::energy_of(std::size_t body, std::span<const Vec3> x) const {
+    return rigid_terms(gather(body, x), rests_[body], stiffness_[body]).energy;
 }
 
-double RigidElements::energy(std::span<const Vec3> x) const {
-    return parallel_sum(size(), [&](std::size_t e) { return terms(e, x).energy; });
-}
-
-void RigidElements::forces(std::span<const Vec3> x,
-                           std::span<const Vec3>,
-                           std::span<Vec3> element_forces) const {
-    assert(element_forces.size() == 4 * size());
-    parallel_for(size(), [&](std::size_t e) {
-        const auto force = terms(e, x).force;
-        std::copy(force.begin(), force.end(), element_forces.begin() + static_cast<long>(4 * e));
-    });
-}
-
-void RigidElements::evaluate(std::span<const Vec3> x,
-                             std::span<const Vec3>,
-                             SystemScales scales,
-                             std::span<Vec3> element_forces,
-                             std::span<Mat3> element_blocks) const {
-    assert(element_forces.size() == 4 * size() && element_blocks.size() == 10 * size());
-    parallel_for(size(), [&](std::size_t e) {
-        const ElementTerms<4> result = terms(e, x);
-        std::copy(result.force.begin(), result.force.end(),
-                  element_forces.begin() + static_cast<long>(4 * e));
-        for (std::size_t b = 0; b < 10; ++b) {
-            element_blocks[10 * e + b] = scales.stiffness * result.stiffness[b];
-        }
-    });
+ElementTerms<4> RigidElements::terms_of(std::size_t body,
+                                        std::span<const Vec3> x,
+                                        std::span<const Vec3>,
+                                        SystemScales scales) const {
+    ElementTerms<4> terms = rigid_terms(gather(body, x), rests_[body], stiffness_[body]);
+    for (Mat3& block : terms.stiffness) {
+        block *= scales.stiffness;
+    }
+    return terms;
 }
 
 } // namespace weft

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "forces/element_terms.h"
+#include "forces/elements.h"
 #include "state/rigid_motion.h"
 #include "state/world.h"
 
@@ -18,29 +18,19 @@ namespace weft {
 ElementTerms<4> rigid_terms(const FourPoints& x, const FourPoints& rest, double stiffness);
 
 /// All rigid bodies of a world, with the world's own vertex indices.
-class RigidElements {
+class RigidElements : public ElementLoops<RigidElements, 4> {
 public:
-    static constexpr int k_nodes = 4;
-
     explicit RigidElements(const World& world);
 
-    std::size_t size() const { return rests_.size(); }
-    std::span<const Index> nodes() const { return nodes_; }
-    double energy(std::span<const Vec3> x) const;
-    void
-    forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> element_forces) const;
-    void evaluate(std::span<const Vec3> x,
-                  std::span<const Vec3> v,
-                  SystemScales scales,
-                  std::span<Vec3> element_forces,
-                  std::span<Mat3> element_blocks) const;
+    double energy_of(std::size_t body, std::span<const Vec3> x) const;
+    ElementTerms<4> terms_of(std::size_t body,
+                             std::span<const Vec3> x,
+                             std::span<const Vec3> v,
+                             SystemScales scales) const;
 
 private:
-    ElementTerms<4> terms(std::size_t body, std::span<const Vec3> x) const;
-
     std::vector<FourPoints> rests_;
     std::vector<double> stiffness_; ///< N/m
-    std::vector<Index> nodes_;
 };
 
 } // namespace weft

@@ -25,8 +25,8 @@ MembraneStress without_compression(const MembraneStress& s) {
         return {0.0, 0.0, 0.0};
     }
     const double high = mean + radius; // its eigenvector's projector is (1 + (s - mean)/radius)/2
-    const double share = 0.5 * high / radius;
-    return {share * (radius + half), share * s.s12, share * (radius - half)};
+    const double scale = 0.5 * high / radius;
+    return {scale * (radius + half), scale * s.s12, scale * (radius - half)};
 }
 
 /// Derivatives of F.col(0) and F.col(1) by each corner: F.col(k) = sum of x_i g_i[k].
@@ -114,11 +114,11 @@ ElementTerms<3> stvk_terms(const Corners& x,
     const double viscous = 0.5 * scales.damping * damping;
     const Mat3 vu = k.uv.transpose();
     for (int a = 0; a < 3; ++a) {
-        const Vec2 ga = scale * g[static_cast<std::size_t>(a)];
+        const Vec2 ga = scale * g[at(a)];
         const Mat3 row_u = ga[0] * k.uu + ga[1] * vu;
         const Mat3 row_v = ga[0] * k.uv + ga[1] * k.vv;
         for (int b = a; b < 3; ++b) {
-            const Vec2& gb = g[static_cast<std::size_t>(b)];
+            const Vec2& gb = g[at(b)];
             Mat3& block = terms.stiffness[block_index(3, a, b)];
             block = row_u * gb[0] + row_v * gb[1];
             block.diagonal().array() += a == b ? 2.0 * viscous : -viscous;
@@ -137,6 +137,29 @@ MembraneStiffness stvk_stiffness(const ClothParams& cloth) {
     network.poisson = 1.0 / 3.0;
     network.shear_stiffness = std::sqrt(3.0) / 4.0 * K;
     return membrane_stiffness(network);
+}
+
+StvkTriangleElements::StvkTriangleElements(const Cloth& cloth)
+    : stiffness_(stvk_stiffness(cloth.params)), damping_(cloth.params.spring.damping),
+      rest_(cloth.rest) {
+    set_triangles(cloth);
+}
+
+double StvkTriangleElements::energy_of(std::size_t t, std::span<const Vec3> x) const {
+    return stvk_energy(gather(t, x), rest_[t], stiffness_);
+}
+
+Corners StvkTriangleElements::force_of(std::size_t t,
+                                       std::span<const Vec3> x,
+                                       std::span<const Vec3> v) const {
+    return stvk_forces(gather(t, x), gather(t, v), rest_[t], stiffness_, damping_);
+}
+
+ElementTerms<3> StvkTriangleElements::terms_of(std::size_t t,
+                                               std::span<const Vec3> x,
+                                               std::span<const Vec3> v,
+                                               SystemScales scales) const {
+    return stvk_terms(gather(t, x), gather(t, v), rest_[t], stiffness_, damping_, scales);
 }
 
 } // namespace weft

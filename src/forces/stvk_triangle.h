@@ -1,6 +1,6 @@
 #pragma once
 
-#include "forces/element_terms.h"
+#include "forces/elements.h"
 #include "forces/membrane.h"
 
 namespace weft {
@@ -42,5 +42,23 @@ Corners stvk_forces(const Corners& x,
 ///
 /// With `calibrate` those of the fabric.
 MembraneStiffness stvk_stiffness(const ClothParams& cloth);
+
+/// The Saint Venant-Kirchhoff triangles of a whole cloth. Cloth of this model does not adapt.
+class StvkTriangleElements : public ElementLoops<StvkTriangleElements, 3> {
+public:
+    explicit StvkTriangleElements(const Cloth& cloth);
+
+    double energy_of(std::size_t t, std::span<const Vec3> x) const;
+    Corners force_of(std::size_t t, std::span<const Vec3> x, std::span<const Vec3> v) const;
+    ElementTerms<3> terms_of(std::size_t t,
+                             std::span<const Vec3> x,
+                             std::span<const Vec3> v,
+                             SystemScales scales) const;
+
+private:
+    MembraneStiffness stiffness_;
+    double damping_; ///< N s/m
+    std::vector<RestTriangle> rest_;
+};
 
 } // namespace weft

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "forces/edge_law.h"
-#include "forces/strain.h"
+#include "forces/membrane.h"
 #include "state/edge_network.h"
 #include "state/world.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "frames/elastic_energy.h"
+#include "forces/cloth_forces.h"
 #include "state/update_attachments.h"
 #include "step/advance.h"
 

@@ -1,11 +1,12 @@
 #include "remesh/changed_patches.h"
 
 #include "base/disjoint_sets.h"
-#include "forces/membrane.h"
+#include "forces/cloth_forces.h"
 
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <tuple>
 
 namespace weft {
 
@@ -38,97 +39,73 @@ lasting_numbers(std::size_t old_count, std::size_t count, const ClothChanges& ch
     return numbers;
 }
 
-/// What an adaptation changed of a cloth, as it was or as it is.
+/// The elements of a cloth that an adaptation changed, as they were or as they are.
 class Side {
 public:
-    /// @param bends    slots of changed elements of bending
     /// @param numbers  that vertices keep; empty: their slots
-    Side(const PlacedCloth& placed,
-         std::vector<Index> triangles,
-         const std::vector<Index>& bends,
-         std::vector<Index> numbers)
-        : placed_(placed), triangles_(std::move(triangles)), numbers_(std::move(numbers)) {
-        for (const Index slot : bends) {
-            bends_.push_back(bend_element(placed_.cloth, slot));
-            if (bends_.back().empty()) {
-                bends_.pop_back();
+    Side(const PlacedCloth& placed, std::vector<Index> numbers)
+        : placed_(placed), numbers_(std::move(numbers)) {}
+
+    template <Adaptive Elements> void add(const std::vector<Index>& slots) {
+        for (const Index slot : slots) {
+            auto element = Elements::element(placed_.cloth, slot);
+            if (!element.empty()) {
+                std::get<std::vector<decltype(element)>>(elements_).push_back(element);
             }
         }
-        for (const Index t : triangles_) {
-            const Triangle& corners = placed_.cloth.triangles[at(t)];
-            vertices_.insert(vertices_.end(), corners.begin(), corners.end());
-        }
-        std::sort(vertices_.begin(), vertices_.end());
-        vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
     }
 
-    /// Of the triangles, ascending.
-    const std::vector<Index>& vertices() const { return vertices_; }
+    /// The vertices of the triangles, ascending.
+    std::vector<Index> vertices() const {
+        std::vector<Index> vertices;
+        for (const MembraneTriangle& triangle : std::get<0>(elements_)) {
+            vertices.insert(vertices.end(), triangle.nodes.begin(), triangle.nodes.end());
+        }
+        std::sort(vertices.begin(), vertices.end());
+        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+        return vertices;
+    }
     Index number(Index v) const { return numbers_.empty() ? v : numbers_[at(v)]; }
 
     /// Joins what shares an element.
     void join(DisjointSets& sets) const {
-        for (const Index t : triangles_) {
-            const Triangle& corners = placed_.cloth.triangles[at(t)];
-            sets.join(number(corners[0]), number(corners[1]));
-            sets.join(number(corners[0]), number(corners[2]));
-        }
-        for (const BendElement& bend : bends_) {
-            for (int a = 1; a < bend.count; ++a) {
-                if (bend.has(a)) {
-                    sets.join(number(bend.node(0)), number(bend.node(a)));
+        for_each_element([&](const auto& element) {
+            for (int a = 1; a < element.count; ++a) {
+                if (element.has(a)) {
+                    sets.join(number(element.node(0)), number(element.node(a)));
                 }
             }
-        }
+        });
     }
 
     /// Calls add(number, energy) for all that has energy, each with a vertex of its own.
-    template <typename Add> void for_each_energy(const Vec3& gravity, const Add& add) const {
+    template <typename Add> void add_energies(const Vec3& gravity, const Add& add) const {
+        for_each_element(
+            [&](const auto& element) { add(number(element.node(0)), element.energy(placed_.x)); });
         const Cloth& cloth = placed_.cloth;
-        const MembraneStiffness stiffness = membrane_stiffness(cloth.params.fabric);
-        for (const Index t : triangles_) {
-            add(number(cloth.triangles[at(t)][0]),
-                membrane_energy(corners(t), cloth.rest[at(t)], stiffness));
-        }
-        for (const BendElement& bend : bends_) {
-            add(number(bend.node(0)), bend.energy(placed_.x));
-        }
-        for (const Index v : vertices_) { // the sum of the masses is the same before and after
+        for (const Index v : vertices()) { // the sum of the masses is the same before and after
             const double mass = cloth.params.fabric.area_density * cloth.rest_areas[at(v)];
             add(number(v), -mass * gravity.dot(placed_.x[at(v)] - placed_.x[0]));
         }
     }
 
     /// Calls add(number, force) for the elastic forces of all elements.
-    template <typename Add> void for_each_force(const Add& add) const {
-        const Cloth& cloth = placed_.cloth;
-        const MembraneStiffness stiffness = membrane_stiffness(cloth.params.fabric);
-        const Corners still{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-        for (const Index t : triangles_) {
-            const Corners forces =
-                membrane_forces(corners(t), still, cloth.rest[at(t)], stiffness, 0.0);
-            for (std::size_t k = 0; k < 3; ++k) {
-                add(number(cloth.triangles[at(t)][k]), forces[k]);
-            }
-        }
-        for (const BendElement& bend : bends_) {
-            for (int a = 0; a < bend.count; ++a) {
-                if (bend.has(a)) {
-                    add(number(bend.node(a)), Vec3(-bend.gradient(a, placed_.x)));
-                }
-            }
-        }
+    template <typename Add> void add_forces(const Add& add) const {
+        for_each_element([&](const auto& element) {
+            element.for_each_force(placed_.x,
+                                   [&](Index v, const Vec3& force) { add(number(v), force); });
+        });
     }
 
 private:
-    Corners corners(Index t) const {
-        const Triangle& v = placed_.cloth.triangles[at(t)];
-        return {placed_.x[at(v[0])], placed_.x[at(v[1])], placed_.x[at(v[2])]};
+    template <typename F> void for_each_element(const F& f) const {
+        std::apply([&](const auto&... sets) { (std::for_each(sets.begin(), sets.end(), f), ...); },
+                   elements_);
     }
 
     PlacedCloth placed_;
-    std::vector<Index> triangles_, numbers_, vertices_;
-    std::vector<BendElement> bends_;
+    std::vector<Index> numbers_;
+    std::tuple<std::vector<MembraneTriangle>, std::vector<BendElement>> elements_;
 };
 
 } // namespace
@@ -137,23 +114,27 @@ std::vector<ChangedPatch> find_changed_patches(const PlacedCloth& before,
                                                const PlacedCloth& after,
                                                const ClothChanges& changes,
                                                const Vec3& gravity) {
-    const std::vector<Index> bends = changed_bends(after.cloth, changes);
-    const Side now(after, changes.triangles, bends,
-                   lasting_numbers(before.x.size(), after.x.size(), changes));
-    const Side then(before,
-                    slots_before(changes.triangles, after.cloth.triangles.size(),
-                                 before.cloth.triangles.size()),
-                    slots_before(bends, bend_slots(after.cloth), bend_slots(before.cloth)), {});
+    Side now(after, lasting_numbers(before.x.size(), after.x.size(), changes));
+    Side then(before, {});
+    for_each_energy(after.cloth, [&](auto kind) {
+        using Elements = typename decltype(kind)::type;
+        if constexpr (Adaptive<Elements>) {
+            const auto slots = Elements::changed_slots(after.cloth, changes);
+            now.add<Elements>(slots);
+            then.add<Elements>(slots_before(slots, Elements::slot_count(after.cloth),
+                                            Elements::slot_count(before.cloth)));
+        }
+    });
     const std::size_t numbers = before.x.size() + after.x.size();
     DisjointSets sets(numbers);
     now.join(sets);
     then.join(sets);
     std::vector<double> gains(numbers, 0.0);
-    now.for_each_energy(gravity, [&](Index v, double e) { gains[at(sets.find(v))] += e; });
-    then.for_each_energy(gravity, [&](Index v, double e) { gains[at(sets.find(v))] -= e; });
+    now.add_energies(gravity, [&](Index v, double e) { gains[at(sets.find(v))] += e; });
+    then.add_energies(gravity, [&](Index v, double e) { gains[at(sets.find(v))] -= e; });
     std::vector<Vec3> force_changes(numbers, Vec3::Zero());
-    now.for_each_force([&](Index v, const Vec3& f) { force_changes[at(v)] += f; });
-    then.for_each_force([&](Index v, const Vec3& f) { force_changes[at(v)] -= f; });
+    now.add_forces([&](Index v, const Vec3& f) { force_changes[at(v)] += f; });
+    then.add_forces([&](Index v, const Vec3& f) { force_changes[at(v)] -= f; });
 
     // Sets without a changed triangle are of elements that only stand in another slot.
     std::vector<ChangedPatch> patches;

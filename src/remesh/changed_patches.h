@@ -1,6 +1,5 @@
 #pragma once
 
-#include "forces/constant_bending.h"
 #include "state/cloth.h"
 #include "state/cloth_changes.h"
 

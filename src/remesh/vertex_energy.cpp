@@ -1,6 +1,7 @@
 #include "remesh/vertex_energy.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace weft {
 
@@ -35,7 +36,7 @@ Mat3 corner_stiffness(const PolarFactor& polar,
 const BendElement& BendElements::of(Index slot) {
     std::size_t& place = places_[at(slot)];
     if (place == 0) {
-        made_.push_back(bend_element(cloth_, slot));
+        made_.push_back(ConstantBending::element(cloth_, slot));
         place = made_.size();
     }
     return made_[place - 1];
@@ -47,9 +48,16 @@ VertexEnergy::VertexEnergy(const Cloth& cloth,
                            BendElements& bends)
     : cloth_(cloth), stiffness_(membrane_stiffness(cloth.params.fabric)), vertex_(v) {
     stars.triangles_of(v, star_);
-    if (bend_slots(cloth) > 0) {
-        add_bends(bends);
-    }
+    for_each_energy(cloth, [&](auto kind) {
+        using Elements = typename decltype(kind)::type;
+        if constexpr (std::is_same_v<Elements, ConstantBending>) {
+            if (Elements::slot_count(cloth) > 0) {
+                add_bends(bends);
+            }
+        } else { // the membrane is taken from the star
+            static_assert(std::is_same_v<Elements, MembraneElements> || !Adaptive<Elements>);
+        }
+    });
 }
 
 /// Of all edges, or of all triangles and neighbours, around the vertex.

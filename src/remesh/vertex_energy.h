@@ -1,7 +1,6 @@
 #pragma once
 
-#include "forces/constant_bending.h"
-#include "forces/membrane.h"
+#include "forces/cloth_forces.h"
 #include "geometry/vertex_stars.h"
 
 #include <vector>
@@ -11,7 +10,8 @@ namespace weft {
 /// The bending elements of a cloth, each made when it is first asked for.
 class BendElements {
 public:
-    explicit BendElements(const Cloth& cloth) : cloth_(cloth), places_(bend_slots(cloth), 0) {}
+    explicit BendElements(const Cloth& cloth)
+        : cloth_(cloth), places_(ConstantBending::slot_count(cloth), 0) {}
 
     /// Valid until the next call.
     const BendElement& of(Index slot);

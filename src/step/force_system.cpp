@@ -1,14 +1,12 @@
 #include "step/force_system.h"
 
-#include "forces/air.h"
-#include "forces/bend_damping.h"
-#include "forces/edge_elements.h"
-#include "forces/membrane_elements.h"
+#include "forces/cloth_forces.h"
 #include "forces/rigid_elements.h"
-#include "forces/stvk_triangle_elements.h"
 
 #include <cassert>
+#include <iterator>
 #include <numeric>
+#include <type_traits>
 
 namespace weft {
 
@@ -25,14 +23,9 @@ std::vector<VertexRange> vertex_ranges(const World& world) {
     return ranges;
 }
 
-/// True for elements of one symmetric block, see ElementSet.
-template <typename Elements> constexpr bool k_is_difference = requires {
-    Elements::k_is_difference;
-};
-
 } // namespace
 
-/// One kind of element on one cloth or on all, seen alike by the loops below.
+/// One set of elements, seen alike by the loops below.
 class ForceSystem::Group {
 public:
     virtual ~Group() = default;
@@ -51,190 +44,139 @@ public:
     forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> forces) const = 0;
 };
 
-template <typename Elements> class ForceSystem::ClothGroup : public Group {
-public:
-    ClothGroup(const World& world, std::size_t cloth, Elements elements)
-        : cloth_(cloth), elements_(std::move(elements)) {
-        find_vertices(world.cloths[cloth]);
-    }
+namespace {
 
-    ElementSet set() const override {
-        return {.nodes_per_element = Elements::k_nodes,
-                .nodes = elements_.nodes(),
-                .first_vertex = static_cast<Index>(first_),
-                .is_difference = k_is_difference<Elements>};
+/// Whose elements a group has: where the vertices that they number stand in World, and how they
+/// follow a change of meshes, returning the slots that changed.
+struct OfCloth {
+    std::size_t cloth;
+
+    VertexRange vertices(const World& world) const {
+        return {world.cloths[cloth].first_vertex, world.cloths[cloth].vertex_count};
     }
-    std::vector<Index> adapt(const World& world, std::span<const ClothChanges> changes) override {
-        find_vertices(world.cloths[cloth_]);
-        return elements_.update(world.cloths[cloth_], changes[cloth_]);
-    }
-    void start_substep(std::span<const Vec3> v) override {
-        if constexpr (requires { elements_.linearise_at(v); }) {
-            elements_.linearise_at(v.subspan(first_, count_));
+    template <typename Elements>
+    std::vector<Index>
+    update(Elements& elements, const World& world, std::span<const ClothChanges> changes) const {
+        if constexpr (requires { elements.update(world.cloths[cloth], changes[cloth]); }) {
+            return elements.update(world.cloths[cloth], changes[cloth]);
+        } else {
+            return {};
         }
     }
-    void evaluate(std::span<const Vec3> x,
-                  std::span<const Vec3> v,
-                  SystemScales scales,
-                  std::span<Vec3> forces,
-                  std::span<Mat3> blocks) const override {
-        elements_.evaluate(x.subspan(first_, count_), v.subspan(first_, count_), scales, forces,
-                           blocks);
-    }
-    void forces(std::span<const Vec3> x,
-                std::span<const Vec3> v,
-                std::span<Vec3> forces) const override {
-        elements_.forces(x.subspan(first_, count_), v.subspan(first_, count_), forces);
-    }
-
-private:
-    void find_vertices(const Cloth& cloth) {
-        first_ = static_cast<std::size_t>(cloth.first_vertex);
-        count_ = static_cast<std::size_t>(cloth.vertex_count);
-    }
-
-    std::size_t cloth_;
-    Elements elements_;
-    std::size_t first_ = 0, count_ = 0;
 };
 
-/// The edges of a solid, between its particles.
-class ForceSystem::SolidGroup : public Group {
-public:
-    SolidGroup(const World& world, std::size_t solid)
-        : solid_(solid), elements_(world.solids[solid].network,
-                                   world.solids[solid].params.model,
-                                   world.solids[solid].params.spring) {
-        find_particles(world);
-    }
+struct OfSolid {
+    std::size_t solid;
 
-    ElementSet set() const override {
-        return {.nodes_per_element = EdgeElements::k_nodes,
-                .nodes = elements_.nodes(),
-                .first_vertex = static_cast<Index>(first_),
-                .is_difference = EdgeElements::k_is_difference};
+    VertexRange vertices(const World& world) const {
+        const Body& body = world.solids[solid].body;
+        return {body.first_particle, body.particle_count};
     }
-    std::vector<Index> adapt(const World& world, std::span<const ClothChanges>) override {
-        find_particles(world);
+    std::vector<Index> update(EdgeElements&, const World&, std::span<const ClothChanges>) const {
         return {};
     }
-    void evaluate(std::span<const Vec3> x,
-                  std::span<const Vec3> v,
-                  SystemScales scales,
-                  std::span<Vec3> forces,
-                  std::span<Mat3> blocks) const override {
-        elements_.evaluate(x.subspan(first_), v.subspan(first_), scales, forces, blocks);
-    }
-    void forces(std::span<const Vec3> x,
-                std::span<const Vec3> v,
-                std::span<Vec3> forces) const override {
-        elements_.forces(x.subspan(first_), v.subspan(first_), forces);
-    }
-
-private:
-    void find_particles(const World& world) {
-        first_ = static_cast<std::size_t>(world.solids[solid_].body.first_particle);
-    }
-
-    std::size_t solid_;
-    EdgeElements elements_;
-    std::size_t first_ = 0;
-};
-
-/// Blocks never change: the assembler has them.
-class ForceSystem::BendingGroup : public Group {
-public:
-    BendingGroup(const World& world, std::size_t cloth)
-        : cloth_(cloth), elements_(world.cloths[cloth]), first_(world.cloths[cloth].first_vertex) {}
-
-    ElementSet set() const override {
-        return {elements_.nodes_per_element(), elements_.nodes(), first_, true,
-                elements_.stiffness()};
-    }
-    std::vector<Index> adapt(const World& world, std::span<const ClothChanges> changes) override {
-        first_ = world.cloths[cloth_].first_vertex;
-        return elements_.update(world.cloths[cloth_], changes[cloth_]);
-    }
-    void evaluate(std::span<const Vec3> x,
-                  std::span<const Vec3> v,
-                  SystemScales,
-                  std::span<Vec3> forces,
-                  std::span<Mat3>) const override {
-        this->forces(x, v, forces);
-    }
-    void
-    forces(std::span<const Vec3> x, std::span<const Vec3>, std::span<Vec3> forces) const override {
-        elements_.forces(x.subspan(static_cast<std::size_t>(first_)), forces);
-    }
-
-private:
-    std::size_t cloth_;
-    ConstantBending elements_;
-    Index first_;
 };
 
 /// Elements that join vertices of several objects, or stand behind all cloths: made of the world,
 /// with its own indices, and made anew when a mesh before them changes.
-template <typename Elements> class ForceSystem::WorldGroup : public Group {
+struct OfWorld {
+    VertexRange vertices(const World& world) const {
+        return {0, static_cast<Index>(world.vertex_count())};
+    }
+    template <typename Elements>
+    std::vector<Index>
+    update(Elements& elements, const World& world, std::span<const ClothChanges>) const {
+        elements = Elements(world);
+        std::vector<Index> slots(elements.size());
+        std::iota(slots.begin(), slots.end(), 0);
+        return slots;
+    }
+};
+
+template <typename Elements>
+constexpr bool k_is_constant = std::is_same_v<Elements, ConstantBending>;
+
+} // namespace
+
+template <typename Elements, typename Owner> class ForceSystem::GroupOf : public Group {
 public:
-    explicit WorldGroup(const World& world) : elements_(world) {}
+    GroupOf(const World& world, Owner owner, Elements elements)
+        : owner_(owner), vertices_(owner.vertices(world)), elements_(std::move(elements)) {}
 
     Elements& elements() { return elements_; }
 
-    ElementSet set() const override { return {Elements::k_nodes, elements_.nodes(), 0}; }
-    std::vector<Index> adapt(const World& world, std::span<const ClothChanges>) override {
-        elements_ = Elements(world);
-        std::vector<Index> slots(elements_.size());
-        std::iota(slots.begin(), slots.end(), 0);
-        return slots;
+    ElementSet set() const override {
+        if constexpr (k_is_constant<Elements>) { // the assembler has the blocks
+            return {elements_.nodes_per_element(), elements_.nodes(), vertices_.first, true,
+                    elements_.stiffness()};
+        } else {
+            return {.nodes_per_element = Elements::k_nodes,
+                    .nodes = elements_.nodes(),
+                    .first_vertex = vertices_.first,
+                    .is_difference = Elements::k_is_difference};
+        }
+    }
+    std::vector<Index> adapt(const World& world, std::span<const ClothChanges> changes) override {
+        vertices_ = owner_.vertices(world);
+        return owner_.update(elements_, world, changes);
+    }
+    void start_substep(std::span<const Vec3> v) override {
+        if constexpr (requires { elements_.linearise_at(v); }) {
+            elements_.linearise_at(own(v));
+        }
     }
     void evaluate(std::span<const Vec3> x,
                   std::span<const Vec3> v,
                   SystemScales scales,
                   std::span<Vec3> forces,
                   std::span<Mat3> blocks) const override {
-        elements_.evaluate(x, v, scales, forces, blocks);
+        if constexpr (k_is_constant<Elements>) {
+            elements_.forces(own(x), forces);
+        } else {
+            elements_.evaluate(own(x), own(v), scales, forces, blocks);
+        }
     }
     void forces(std::span<const Vec3> x,
                 std::span<const Vec3> v,
                 std::span<Vec3> forces) const override {
-        elements_.forces(x, v, forces);
+        if constexpr (k_is_constant<Elements>) {
+            elements_.forces(own(x), forces);
+        } else {
+            elements_.forces(own(x), own(v), forces);
+        }
     }
 
 private:
+    std::span<const Vec3> own(std::span<const Vec3> values) const {
+        return values.subspan(at(vertices_.first), at(vertices_.count));
+    }
+
+    Owner owner_;
+    VertexRange vertices_;
     Elements elements_;
 };
 
+/// Forces are summed in the order of the groups; constant ones come last.
 ForceSystem::ForceSystem(const World& world, const SceneParams& params) {
-    const auto add = [&](std::size_t cloth, auto elements) {
-        groups_.push_back(
-            std::make_unique<ClothGroup<decltype(elements)>>(world, cloth, std::move(elements)));
+    std::vector<std::unique_ptr<Group>> constant;
+    const auto add = [&](auto owner, auto elements) {
+        using Elements = decltype(elements);
+        auto group =
+            std::make_unique<GroupOf<Elements, decltype(owner)>>(world, owner, std::move(elements));
+        auto* added = group.get();
+        (k_is_constant<Elements> ? constant : groups_).push_back(std::move(group));
+        return &added->elements();
     };
     for (std::size_t c = 0; c < world.cloths.size(); ++c) {
-        const Cloth& cloth = world.cloths[c];
-        if (cloth.params.model == Model::Corotational) {
-            add(c, MembraneElements(cloth));
-            add(c, BendDampingElements(cloth));
-        } else {
-            add(c, EdgeElements(cloth.network, cloth.params.model, cloth.params.spring));
-        }
-        if (cloth.params.model == Model::StvkTriangle) {
-            add(c, StvkTriangleElements(cloth));
-        }
-        add(c, AirElements(cloth, params));
+        for_each_force(world.cloths[c], params,
+                       [&](auto elements) { add(OfCloth{c}, std::move(elements)); });
     }
     for (std::size_t s = 0; s < world.solids.size(); ++s) {
-        groups_.push_back(std::make_unique<SolidGroup>(world, s));
+        add(OfSolid{s}, EdgeElements(world.solids[s]));
     }
-    groups_.push_back(std::make_unique<WorldGroup<RigidElements>>(world));
-    auto attachments = std::make_unique<WorldGroup<AttachmentElements>>(world);
-    attachments_ = attachments.get();
-    groups_.push_back(std::move(attachments));
-    for (std::size_t c = 0; c < world.cloths.size(); ++c) {
-        if (world.cloths[c].params.model == Model::Corotational) {
-            groups_.push_back(std::make_unique<BendingGroup>(world, c));
-        }
-    }
+    add(OfWorld{}, RigidElements(world));
+    attachments_ = add(OfWorld{}, AttachmentElements(world));
+    std::move(constant.begin(), constant.end(), std::back_inserter(groups_));
     assembler_ = std::make_unique<Assembler>(vertex_ranges(world), sets());
     resize_arrays();
 }
@@ -278,7 +220,7 @@ void ForceSystem::start_substep(std::span<const Vec3> v) {
 }
 
 void ForceSystem::set_attachments(const World& world, double end_time) {
-    attachments_->elements().set(world, end_time);
+    attachments_->set(world, end_time);
 }
 
 void ForceSystem::evaluate(std::span<const Vec3> x,

@@ -1,9 +1,6 @@
 #pragma once
 
 #include "forces/attachment_elements.h"
-#include "forces/constant_bending.h"
-#include "forces/element_terms.h"
-#include "state/cloth_changes.h"
 #include "state/world.h"
 
 #include <memory>
@@ -46,16 +43,13 @@ public:
 
 private:
     class Group;
-    template <typename Elements> class ClothGroup;
-    class SolidGroup;
-    class BendingGroup;
-    template <typename Elements> class WorldGroup;
+    template <typename Elements, typename Owner> class GroupOf;
 
     std::vector<ElementSet> sets() const;
     void resize_arrays();
 
-    std::vector<std::unique_ptr<Group>> groups_;  ///< in the order in which they are summed
-    WorldGroup<AttachmentElements>* attachments_; ///< one of them
+    std::vector<std::unique_ptr<Group>> groups_; ///< in the order in which they are summed
+    AttachmentElements* attachments_;            ///< those of one of the groups
     std::unique_ptr<Assembler> assembler_;
     SystemScales scales_;
     std::vector<Vec3> element_forces_;

@@ -1,8 +1,7 @@
 #include "validation/motion.h"
 
 #include "base/error.h"
-#include "forces/constant_bending.h"
-#include "forces/membrane_elements.h"
+#include "forces/cloth_forces.h"
 #include "step/held.h"
 
 #include <limits>
@@ -98,8 +97,7 @@ double kinetic_energy(const World& world) {
 double free_energy(const World& world) {
     double sum = kinetic_energy(world);
     for (const Cloth& cloth : world.cloths) {
-        sum += MembraneElements(cloth).energy(world.positions_of(cloth)) +
-               ConstantBending(cloth).energy(world.positions_of(cloth));
+        sum += elastic_energy(cloth, world.positions_of(cloth));
     }
     return sum;
 }

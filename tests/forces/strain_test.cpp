@@ -1,4 +1,4 @@
-#include "forces/strain.h"
+#include "forces/membrane.h"
 
 #include <gtest/gtest.h>
 

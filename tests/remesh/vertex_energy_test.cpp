@@ -1,4 +1,4 @@
-#include "forces/membrane_elements.h"
+#include "forces/cloth_forces.h"
 #include "support/adapting_world.h"
 
 #include <Eigen/Eigenvalues>
@@ -12,10 +12,6 @@ namespace {
 
 using test::AdaptingWorld;
 using test::SheetMotion;
-
-double elastic_energy(const Cloth& cloth, std::span<const Vec3> x) {
-    return MembraneElements(cloth).energy(x) + ConstantBending(cloth).energy(x);
-}
 
 /// A refined sheet.
 struct RefinedSheet {

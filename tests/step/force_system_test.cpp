@@ -1,5 +1,6 @@
 #include "adapt/sqrt3_mesh.h"
 #include "base/parallel.h"
+#include "forces/constant_bending.h"
 #include "step/force_system.h"
 #include "support/adaptive_cloths.h"
 #include "support/changing_sheet.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "forces/element_terms.h"
+#include "forces/elements.h"
 #include "support/random_rotation.h"
 
 #include <functional>
