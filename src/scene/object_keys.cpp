@@ -18,7 +18,8 @@ Keys file_keys(MeshSource& p) {
         {"object", &p.objects, "", "", "node or mesh inside the file, or a list of them", "",
          "all"},
         Key{"units", Units{&p.metres_per_unit}, "", "> 0 m, or \"m\", \"cm\", \"mm\" or \"in\"",
-            "metres per unit of the file", "m per unit of the file", "the file's, else \"m\""}
+            "metres per unit of the file, or \"m\", \"cm\", \"mm\", \"in\"",
+            "m per unit of the file", "the file's, else \"m\""}
             .written_if(p.units_given),
         Key{"up", one_of(p.up, {{"y", 'y'}, {"z", 'z'}}), "", "",
             "the axis of the file that points up", "", "the file's, else \"y\""}
@@ -99,9 +100,8 @@ Keys keys_of(FabricParams& p) {
            } +
            friction_keys(p.friction, p.static_friction) +
            Keys{
-               {"damping", &p.damping, "mass 1/s, stiffness s",
-                std::vector<Range>{">= 0 1/s", ">= 0 s"},
-                "Rayleigh damping: of mass, of stiffness"},
+               {"damping", &p.damping, "", std::vector<Range>{">= 0 1/s", ">= 0 s"},
+                "Rayleigh damping: of mass, of stiffness", "mass 1/s, stiffness s"},
                {"range", &p.working_range, "", std::vector<Range>{"> 0", above_first},
                 "stretch in use, for the colours", "working range of stretch"},
            };

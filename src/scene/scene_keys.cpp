@@ -42,7 +42,7 @@ Keys keys_of(SceneParams& p) {
          "residual of the linear solve relative to its right-hand side; larger: softer, noisier "
          "cloth",
          "relative residual"},
-        {"gravity", &p.gravity, "m/s^2", "", "acceleration by weight"},
+        {"gravity", &p.gravity, "m/s^2", "", "acceleration of free fall"},
         {"wind", &p.wind, "m/s", "", "velocity of the air"},
         {"air_density", &p.air_density, "kg/m^3", ">= 0", "density of the air; 0 = no air"},
     };
