@@ -13,8 +13,7 @@
 
 #include <memory>
 
-#include "start/make_adaptive.h"
-#include "start/start_overlap.h"
+#include "start/prepare.h"
 
 namespace weft {
 
@@ -57,22 +56,24 @@ std::string describe_cure(const StartOverlapReport& report) {
                        report.pairs_before, report.greatest_way, report.rounds, grown);
 }
 
-/// Cures what overlaps at the start and says what that took, also into `told`. False: asked to stop
-/// meanwhile.
-bool start(const Scene& scene, World& world, double time_limit, std::vector<std::string>& told) {
+/// Prepares the world for its first frame and says what overlap took, also into `told`. Nothing:
+/// asked to stop meanwhile.
+std::optional<Prepared>
+start(const Scene& scene, World built, double time_limit, std::vector<std::string>& told) {
     const StopSignals signals;
     const Stopwatch watch;
-    const auto report = cure_start_overlap(
-        world, scene, [&] { return StopSignals::received() != 0 || watch.seconds() > time_limit; });
-    if (!report) {
+    auto preparation = prepare(std::move(built), scene, [&] {
+        return StopSignals::received() != 0 || watch.seconds() > time_limit;
+    });
+    if (!preparation) {
         warn("stopped before the first frame: nothing was written");
-        return false;
+        return std::nullopt;
     }
-    if (report->pairs_before > 0) {
-        told.push_back(describe_cure(*report));
+    if (preparation->overlap.pairs_before > 0) {
+        told.push_back(describe_cure(preparation->overlap));
         spdlog::info("{} ({:.2f} s)", told.back(), watch.seconds());
     }
-    return true;
+    return std::move(preparation->start);
 }
 
 ExitCode simulate_scene(const SimulateOptions& options, const Scene& scene) {
@@ -90,10 +91,10 @@ ExitCode simulate_scene(const SimulateOptions& options, const Scene& scene) {
     if (common.dry_run) {
         return describe_start(scene, world);
     }
-    if (!start(scene, world, options.time_limit, told)) {
+    const auto prepared = start(scene, std::move(world), options.time_limit, told);
+    if (!prepared) {
         return ExitCode::Stopped;
     }
-    make_adaptive(world);
     const RunFolder folder(common.out, mode);
     open_log(common.verbosity(), folder.paths().log());
     spdlog::debug("weft {}: {} frames into {}", program_version(), scene.scene.frames,
@@ -101,7 +102,7 @@ ExitCode simulate_scene(const SimulateOptions& options, const Scene& scene) {
     for (const std::string& line : told) {
         spdlog::debug("{}", line); // the terminal has seen it already
     }
-    return simulate(scene, world, folder,
+    return simulate(scene, *prepared, folder,
                     {.frames = common.frames,
                      .fail_on = common.fail_on,
                      .time_limit = options.time_limit,

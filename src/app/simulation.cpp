@@ -21,15 +21,14 @@ namespace {
 class Simulation {
 public:
     Simulation(const Scene& scene,
-               World& world,
+               const Prepared& start,
                const RunPaths& paths,
                const SimulationOptions& options)
-        : scene_(scene), world_(world), paths_(paths), options_(options),
-          frames_(scene.scene.frames), hash_(run_hash(scene, world)),
-          stepper_(world, scene.scene, scene.contact),
-          recorder_(paths, scene, world, hash_, options.frames) {
+        : scene_(scene), world_(start.world()), paths_(paths), options_(options),
+          frames_(scene.scene.frames), hash_(run_hash(scene, world_)), stepper_(start),
+          recorder_(paths, scene, world_, hash_, options.frames) {
         if (options.verify && scene.contact.enabled) {
-            stepper_.verify_substeps(world);
+            stepper_.verify_substeps(world_);
         }
     }
 
@@ -48,12 +47,12 @@ private:
     bool should_stop() const;
 
     const Scene& scene_;
-    World& world_;
+    World world_;
     RunPaths paths_;
     SimulationOptions options_;
     int frames_;
     std::uint64_t hash_;
-    Stepper stepper_; ///< made of the world at its start, as its trees depend on it
+    Stepper stepper_;
     Recorder recorder_;
     StopSignals signals_;
     Stopwatch watch_;
@@ -235,10 +234,10 @@ bool Simulation::should_stop() const {
 } // namespace
 
 ExitCode simulate(const Scene& scene,
-                  World& world,
+                  const Prepared& start,
                   const RunFolder& folder,
                   const SimulationOptions& options) {
-    return Simulation(scene, world, folder.paths(), options).run();
+    return Simulation(scene, start, folder.paths(), options).run();
 }
 
 } // namespace weft

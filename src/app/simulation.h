@@ -3,7 +3,7 @@
 #include "app/options.h"
 #include "base/error.h"
 #include "frames/run_folder.h"
-#include "state/world.h"
+#include "step/prepared.h"
 
 namespace weft {
 
@@ -23,7 +23,7 @@ struct SimulationOptions {
 /// or the time limit ended it and a checkpoint was written. Throws Error for everything else, with
 /// status.json saying the same.
 ExitCode simulate(const Scene& scene,
-                  World& world,
+                  const Prepared& start,
                   const RunFolder& folder,
                   const SimulationOptions& options);
 

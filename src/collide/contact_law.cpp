@@ -47,10 +47,10 @@ Vec3 FrictionLaw::force(const Vec3& displacement) const {
 }
 
 Mat3 FrictionLaw::tangent(const Vec3& displacement) const {
-    return cautious_tangent(displacement, 0.0);
+    return damped_tangent(displacement, 0.0);
 }
 
-Mat3 FrictionLaw::cautious_tangent(const Vec3& displacement, double caution) const {
+Mat3 FrictionLaw::damped_tangent(const Vec3& displacement, double caution) const {
     const double length = displacement.norm();
     if (stiffness * length <= limit) {
         return stiffness * Mat3::Identity();

@@ -35,7 +35,7 @@ struct FrictionLaw {
     /// Between the tangent (0), which along a slide is zero, and the stiffness of the paraboloid
     /// that touches the energy there and lies above it everywhere (1): steps with it never
     /// overshoot back into sticking.
-    Mat3 cautious_tangent(const Vec3& displacement, double caution) const;
+    Mat3 damped_tangent(const Vec3& displacement, double caution) const;
     double energy(const Vec3& displacement) const;
     /// The displacement that the spring keeps once what is beyond the limit has slid off.
     Vec3 kept(const Vec3& displacement) const;

@@ -33,7 +33,7 @@ AirElements::AirElements(const Cloth& cloth, const SceneParams& scene)
     }
 }
 
-std::vector<Index> AirElements::update(const Cloth& cloth, const ClothChanges& changes) {
+std::vector<Index> AirElements::remesh(const Cloth& cloth, const ClothChanges& changes) {
     reference_.clear();
     if (!acts()) {
         return {};

@@ -32,7 +32,7 @@ public:
     AirElements(const Cloth& cloth, const SceneParams& scene);
 
     /// Forgets what drag was linearised at.
-    std::vector<Index> update(const Cloth& cloth, const ClothChanges& changes);
+    std::vector<Index> remesh(const Cloth& cloth, const ClothChanges& changes);
 
     /// From now on drag is linear in the velocity, tangent to the law at these velocities (#V of
     /// the cloth, m/s): an implicit step whose first iterate is far from them still sees the right

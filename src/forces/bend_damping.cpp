@@ -53,7 +53,7 @@ BendDampingElements::BendDampingElements(const Cloth& cloth)
     }
 }
 
-std::vector<Index> BendDampingElements::update(const Cloth& cloth, const ClothChanges& changes) {
+std::vector<Index> BendDampingElements::remesh(const Cloth& cloth, const ClothChanges& changes) {
     if (stiffness_ <= 0.0) {
         return {};
     }

@@ -25,7 +25,7 @@ public:
     /// No elements when the fabric's damping or rigidity is zero.
     explicit BendDampingElements(const Cloth& cloth);
 
-    std::vector<Index> update(const Cloth& cloth, const ClothChanges& changes);
+    std::vector<Index> remesh(const Cloth& cloth, const ClothChanges& changes);
 
     ElementTerms<4> terms_of(std::size_t hinge,
                              std::span<const Vec3> x,

@@ -188,7 +188,7 @@ ConstantBending::ConstantBending(const Cloth& cloth)
     }
 }
 
-std::vector<Index> ConstantBending::update(const Cloth& cloth, const ClothChanges& changes) {
+std::vector<Index> ConstantBending::remesh(const Cloth& cloth, const ClothChanges& changes) {
     resize(cloth);
     std::vector<Index> slots = changed_slots(cloth, changes);
     for (const Index slot : slots) {

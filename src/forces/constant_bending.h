@@ -57,7 +57,7 @@ public:
     static std::size_t slot_count(const Cloth& cloth);
     static std::vector<Index> changed_slots(const Cloth& cloth, const ClothChanges& changes);
     static BendElement element(const Cloth& cloth, Index slot);
-    std::vector<Index> update(const Cloth& cloth, const ClothChanges& changes);
+    std::vector<Index> remesh(const Cloth& cloth, const ClothChanges& changes);
 
     int nodes_per_element() const { return nodes_per_element_; } ///< 4 or 6
     std::size_t size() const { return nodes_.size() / at(nodes_per_element_); }

@@ -195,7 +195,7 @@ MembraneElements::MembraneElements(const Cloth& cloth)
     set_triangles(cloth);
 }
 
-std::vector<Index> MembraneElements::update(const Cloth& cloth, const ClothChanges& changes) {
+std::vector<Index> MembraneElements::remesh(const Cloth& cloth, const ClothChanges& changes) {
     rest_.resize(cloth.triangles.size());
     for (const Index t : changes.triangles) {
         rest_[at(t)] = cloth.rest[at(t)];

@@ -96,7 +96,7 @@ public:
                 membrane_stiffness(cloth.params.fabric)};
     }
 
-    std::vector<Index> update(const Cloth& cloth, const ClothChanges& changes);
+    std::vector<Index> remesh(const Cloth& cloth, const ClothChanges& changes);
 
     double energy_of(std::size_t t, std::span<const Vec3> x) const;
     Corners force_of(std::size_t t, std::span<const Vec3> x, std::span<const Vec3> v) const;

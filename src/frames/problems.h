@@ -1,7 +1,7 @@
 #pragma once
 
 #include "frames/csv.h"
-#include "step/timed_problem.h"
+#include "step/frame_report.h"
 
 #include <map>
 

@@ -121,10 +121,10 @@ StrainStatistics measure_strain(const World& world) {
 
 StatisticsCollector::StatisticsCollector(const World& world, const SceneParams& scene)
     : gravity_(scene.gravity), fps_(scene.fps) {
-    follow_mesh(world);
+    remesh(world);
 }
 
-void StatisticsCollector::follow_mesh(const World& world) {
+void StatisticsCollector::remesh(const World& world) {
     if (!energies_.empty() && adaptations_ == adaptations_of(world)) {
         return;
     }
@@ -167,7 +167,7 @@ MotionStatistics StatisticsCollector::measure_motion(const World& world) const {
 
 FrameStatistics
 StatisticsCollector::measure(const World& world, const FrameReport& report, int crossings) {
-    follow_mesh(world);
+    remesh(world);
     double volume = 0.0;
     std::size_t inverted = 0;
     for (const Solid& solid : world.solids) {

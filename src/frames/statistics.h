@@ -59,7 +59,7 @@ public:
 private:
     MotionStatistics measure_motion(const World& world) const;
 
-    void follow_mesh(const World& world);
+    void remesh(const World& world);
 
     Vec3 gravity_;
     double fps_;

@@ -3,11 +3,13 @@
 #include "adapt/adaptation_plan.h"
 #include "adapt/coarseness.h"
 #include "adapt/state_transfer.h"
+#include "geometry/dihedral.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
-#include "remesh/absorb_gain.h"
-#include "remesh/edit_rules.h"
+#include "remesh/relax_after_remesh.h"
 
 namespace weft {
 
@@ -16,63 +18,126 @@ namespace {
 /// The hooks by which the transfer of state takes part in the edits of a cloth.
 AdaptationHooks make_hooks(StateTransfer& transfer, AdaptationReport& report) {
     AdaptationHooks hooks;
-    hooks.insert = [&](const VertexParents& place) {
-        transfer.insert(place);
+    hooks.insert = [&](const VertexParents& position) {
+        transfer.insert(position);
         ++report.refined;
     };
-    hooks.remove = [&](const VertexParents& place) {
-        transfer.remove(place);
+    hooks.remove = [&](const VertexParents& position) {
+        transfer.remove(position);
         ++report.coarsened;
     };
     hooks.move = [&](Index from, Index to) { transfer.move(from, to); };
     return hooks;
 }
 
-/// A vertex is shifted by so many contact thicknesses at most to let a gain of energy go.
+/// A flip across a deeper fold (rad) waits until it is shallower: the rest shape is flat, and the
+/// new triangles would be shorter across the fold than they rest, and stretched along it, by a few
+/// percent at this angle and by half in slivers at a right angle.
+constexpr double k_deep_fold = 20.0 * std::numbers::pi / 180.0;
+
+/// The same where a vertex is fixed, by contact for example, and cannot relax (see
+/// relax_after_remesh.h).
+constexpr double k_deep_held_fold = 8.0 * std::numbers::pi / 180.0;
+
+bool is_free(const StateTransfer& transfer, const EdgeFlip& flip) {
+    return transfer.is_free(flip.edge[0]) && transfer.is_free(flip.edge[1]) &&
+           transfer.is_free(flip.apex[0]) && transfer.is_free(flip.apex[1]);
+}
+
+/// Are the folds across the edge that a flip takes away and across the one that it puts in shallow?
+/// The second is the deeper one where a flip is taken back: to the long edge of flat triangles.
+bool is_shallow(const StateTransfer& transfer, const EdgeFlip& flip) {
+    const Vec3& a = transfer.position(flip.edge[0]);
+    const Vec3& b = transfer.position(flip.edge[1]);
+    const Vec3& p = transfer.position(flip.apex[0]);
+    const Vec3& q = transfer.position(flip.apex[1]);
+    const double deepest = is_free(transfer, flip) ? k_deep_fold : k_deep_held_fold;
+    return std::abs(dihedral_angle(a, b, p, q)) < deepest &&
+           std::abs(dihedral_angle(p, q, b, a)) < deepest;
+}
+
+/// Allows an edit that moves the surface only where it stretches no cloth and, with contact on,
+/// where the guard finds nothing in its way. All arguments must outlive the hooks.
+/// @param guard  null: contact is off
+/// @param cloth  number of the cloth
+void add_guard(AdaptationHooks& hooks,
+               const StateTransfer& transfer,
+               EditGuard* guard,
+               std::size_t cloth) {
+    const auto may_sweep = [&transfer, guard, cloth](const std::array<Index, 4>& v) {
+        return guard == nullptr ||
+               guard->may_sweep(static_cast<Index>(cloth),
+                                {transfer.position(v[0]), transfer.position(v[1]),
+                                 transfer.position(v[2]), transfer.position(v[3])},
+                                v);
+    };
+    const auto may_flip = [may_sweep, &transfer](const EdgeFlip& flip) {
+        return is_shallow(transfer, flip) &&
+               may_sweep({flip.edge[0], flip.edge[1], flip.apex[0], flip.apex[1]});
+    };
+    hooks.may_flip = may_flip;
+    hooks.may_remove = [may_flip, may_sweep](const Removal& removal) {
+        bool may = std::all_of(removal.flips.begin(), removal.flips.end(), may_flip);
+        for (const VertexParents& gone : removal.vertices) {
+            for (const Triangle& left : removal.merged) {
+                may = may && may_sweep({gone.vertex, left[0], left[1], left[2]});
+            }
+        }
+        return may;
+    };
+}
+
+/// Allows no edit that moves the surface.
+void forbid_moves(AdaptationHooks& hooks) {
+    hooks.may_flip = [](const EdgeFlip&) { return false; };
+    hooks.may_remove = [](const Removal&) { return false; };
+}
+
+/// Greatest shift of a vertex by relaxation, in contact thicknesses.
 constexpr double k_farthest_shift = 1.0;
 
-/// What an adaptation did to the energy of a cloth's surface, and what then moved.
-struct Absorbed {
+/// What is left of the energy that an adaptation gave a cloth after relaxation, and what moved.
+struct Relaxed {
     double energy = 0.0;          ///< change of elastic and gravity energy that is left, J
     std::vector<Index> vertices;  ///< shifted
     std::vector<Index> triangles; ///< around them, in no order
 };
 
-/// Lets a cloth give way to what an adaptation did to it, where that gave it energy; what is left
-/// is taken off its motion.
-Absorbed absorb_gains(const PlacedCloth& before,
+/// Relaxes the patches of a cloth that gained energy by an adaptation. Gain that is left is charged
+/// to the transfer, which takes it off the motion.
+Relaxed relax_patches(const PlacedCloth& before,
                       const Cloth& cloth,
                       const Sqrt3Mesh& mesh,
                       const ClothChanges& changes,
                       const Vec3& gravity,
-                      bool may_yield,
+                      bool may_relax,
                       StateTransfer& transfer) {
     std::vector<Vec3> x = transfer.positions(cloth);
     std::vector<char> may_move;
     for (Index v = 0; v < cloth.vertex_count; ++v) {
-        may_move.push_back(static_cast<char>(may_yield && transfer.is_free(v)));
+        may_move.push_back(static_cast<char>(may_relax && transfer.is_free(v)));
     }
     BendElements bends(cloth);
-    const YieldingCloth yielding{cloth,    mesh.stars(),
-                                 bends,    gravity,
-                                 may_move, k_farthest_shift * cloth.params.fabric.thickness,
-                                 x};
-    Absorbed absorbed;
+    const RelaxationContext context{cloth,    mesh.stars(),
+                                    bends,    gravity,
+                                    may_move, k_farthest_shift * cloth.params.fabric.thickness,
+                                    x};
+    Relaxed relaxed;
     for (const ChangedPatch& patch : find_changed_patches(before, {cloth, x}, changes, gravity)) {
         double left = patch.gain;
         if (left > 0.0) {
-            left = absorb_gain(yielding, patch, absorbed.vertices);
+            left = relax_after_remesh(context, patch, relaxed.vertices);
             transfer.charge(patch.vertices[0].vertex, std::max(0.0, left));
         }
-        absorbed.energy += left;
+        relaxed.energy += left;
     }
     std::vector<Index> star;
-    for (const Index v : absorbed.vertices) {
+    for (const Index v : relaxed.vertices) {
         transfer.shift(v, x[at(v)]);
         mesh.stars().triangles_of(v, star);
-        absorbed.triangles.insert(absorbed.triangles.end(), star.begin(), star.end());
+        relaxed.triangles.insert(relaxed.triangles.end(), star.begin(), star.end());
     }
-    return absorbed;
+    return relaxed;
 }
 
 double kinetic_energy(const World& world, const Cloth& cloth) {
@@ -132,10 +197,10 @@ AdaptationReport& AdaptationReport::operator+=(const AdaptationReport& other) {
 
 WorldAdaptation::WorldAdaptation(const World& world, const Vec3& gravity)
     : obstacles_(world), gravity_(gravity) {
-    reset(world);
+    remesh(world);
 }
 
-void WorldAdaptation::reset(const World& world) {
+void WorldAdaptation::remesh(const World& world) {
     meshes_.clear();
     for (const Cloth& cloth : world.cloths) {
         meshes_.push_back(cloth.refinement.empty() ? nullptr : std::make_unique<Sqrt3Mesh>(cloth));
@@ -191,19 +256,19 @@ bool WorldAdaptation::adapt_cloth(World& world,
         }
         const bool suffices = carry_out(plan, *meshes_[index], cloth, std::move(hooks));
         changes = meshes_[index]->finish();
-        const Absorbed absorbed =
-            absorb_gains({before, world.positions_of(before)}, cloth, *meshes_[index], changes,
-                         gravity_, may_move, transfer);
+        const Relaxed relaxed =
+            relax_patches({before, world.positions_of(before)}, cloth, *meshes_[index], changes,
+                          gravity_, may_move, transfer);
         if (may_move && guard != nullptr &&
             guard->crosses(static_cast<Index>(index), cloth, transfer.positions(cloth),
-                           with_triangles(changes, absorbed.triangles))) {
-            cloth = before; // edits side by side got into each other's way
+                           with_triangles(changes, relaxed.triangles))) {
+            cloth = before; // edits side by side got into each other's displacement
             meshes_[index] = std::make_unique<Sqrt3Mesh>(cloth);
             continue;
         }
         cloth.refinement.tolerance = next_tolerance(cloth.refinement.tolerance, !suffices);
         if (!changes.empty()) {
-            done.energy = absorbed.energy - kinetic_energy(world, before);
+            done.energy = relaxed.energy - kinetic_energy(world, before);
             transfer.finish(world, index, changes);
             done.energy += kinetic_energy(world, cloth);
         }

@@ -35,7 +35,7 @@ public:
                            std::vector<ClothChanges>& changes);
 
     /// Forgets the meshes known: the world's are others now.
-    void reset(const World& world);
+    void remesh(const World& world);
 
 private:
     bool adapt_cloth(World& world,

@@ -1,14 +1,215 @@
 #include "start/start_overlap.h"
 
 #include "base/error.h"
+#include "collide/crossings.h"
 #include "collide/untangle.h"
+#include "geometry/inset.h"
 #include "state/build_pins.h"
+#include "step/advance.h"
 
-#include "start/grow_obstacles.h"
+#include <algorithm>
 
 namespace weft {
 
 namespace {
+
+/// What growing took.
+struct GrowReport {
+    double deepest_inset = 0.0; ///< by which a vertex of an obstacle started shrunken, m
+    int rounds = 0;             ///< of untangling what shrinking left crossing
+    int substeps = 0;           ///< of the pre-roll
+    double greatest_way = 0.0;  ///< that a vertex of cloth moved, m
+};
+
+/// Depth that is tried first, m, and by what it grows from one try to the next. Smaller: obstacles
+/// are drawn in less deep than they need not be, after more tries.
+constexpr double k_first_depth = 1e-3;
+constexpr double k_deeper = 1.5;
+
+/// Most that an obstacle is drawn in, as a share of its diagonal: 0.19 m for a body.
+constexpr double k_deepest_share = 0.1;
+
+/// Length of a substep of the pre-roll, s: what makes cloth follow and not swing.
+constexpr double k_substep = 0.01;
+
+/// Growth in one substep, as a share of the least contact thickness. Larger: more work left to
+/// continuous detection; smaller: a longer pre-roll.
+constexpr double k_growth_share = 0.5;
+
+/// Bounds of the substeps of growth, and those after it in which contacts find their distance.
+constexpr int k_least_substeps = 10;
+constexpr int k_most_substeps = 400;
+constexpr int k_settling_substeps = 10;
+
+/// An obstacle during the pre-roll: its places at t = 0 in the world, and how it is drawn in.
+struct Grown {
+    std::vector<Vec3> full; ///< m, world
+    Inset inset;            ///< empty until something crosses the obstacle
+    double depth = 0.0;     ///< m
+
+    Vec3 place(std::size_t vertex, double share) const {
+        return full[vertex] + inset.way(vertex, share * depth);
+    }
+    double deepest() const {
+        double deepest = 0.0;
+        for (const double limit : inset.limit) {
+            deepest = std::max(deepest, std::min(depth, limit));
+        }
+        return deepest;
+    }
+    bool can_go_deeper() const {
+        return inset.limit.empty() ||
+               depth < *std::max_element(inset.limit.begin(), inset.limit.end());
+    }
+};
+
+/// The world of the pre-roll: the meshes stay as imported, nothing holds or joins vertices, nothing
+/// moves, and obstacles stand still.
+World still_world(const World& world) {
+    World still = world;
+    for (Cloth& cloth : still.cloths) {
+        cloth.params.adapt.levels = 0;
+    }
+    still.pins.clear();
+    still.pin_groups.clear();
+    still.attachments.clear();
+    still.attached_pairs.clear();
+    still.attached_states.clear();
+    std::fill(still.velocities.begin(), still.velocities.end(), Vec3::Zero());
+    for (Obstacle& obstacle : still.obstacles) {
+        std::vector<Vec3> places(obstacle.mesh.positions.size());
+        obstacle_positions(obstacle, 0.0, places);
+        obstacle.mesh.positions = places;
+        obstacle.origin.setZero();
+        obstacle.params.motion.clear();
+        obstacle.deformation = nullptr;
+    }
+    return still;
+}
+
+/// One pre-roll from the drawn-in obstacles to their size.
+class PreRoll {
+public:
+    PreRoll(World& world, const Scene& scene)
+        : world_(world), still_(still_world(world)), contact_(scene.contact), scene_(scene.scene),
+          grown_(world.obstacles.size()) {
+        scene_.fps = 1.0 / k_substep;
+        scene_.substeps = 1;
+        scene_.integrator = Integrator::Euler;
+        scene_.gravity.setZero();
+        scene_.wind.setZero();
+        for (std::size_t o = 0; o < grown_.size(); ++o) {
+            grown_[o].full = still_.obstacles[o].mesh.positions;
+        }
+    }
+
+    std::optional<GrowReport> run(const std::function<bool()>& should_stop) {
+        if (contact_.self) {
+            report_.rounds += untangle(still_, {.obstacles = false}).rounds;
+        }
+        draw_in();
+        report_.rounds += untangle(still_, {.cloth = contact_.self}).rounds;
+        const int growing = let_grow();
+        Stepper stepper({still_, scene_, contact_});
+        for (; report_.substeps < growing + k_settling_substeps; ++report_.substeps) {
+            if (!stepper.advance_frame(still_, should_stop)) {
+                return std::nullopt;
+            }
+            std::fill(still_.velocities.begin(), still_.velocities.end(), Vec3::Zero());
+        }
+        for (std::size_t v = 0; v < world_.vertex_count(); ++v) {
+            const double way = (still_.positions[v] - world_.positions[v]).norm();
+            report_.greatest_way = std::max(report_.greatest_way, way);
+        }
+        world_.positions = still_.positions;
+        return report_;
+    }
+
+private:
+    /// Deeper and deeper, until cloth crosses no obstacle that can still give way.
+    void draw_in() {
+        WorldCrossings crossings(still_, false);
+        std::vector<char> crossed;
+        do {
+            crossed.assign(grown_.size(), 0);
+            for (const ContactProblem& pair : crossings.find(still_, 0.0)) {
+                crossed[static_cast<std::size_t>(pair.objects[1]) - still_.cloths.size()] = 1;
+            }
+            for (std::size_t o = 0; o < grown_.size(); ++o) {
+                crossed[o] = crossed[o] && grown_[o].can_go_deeper();
+                if (crossed[o]) {
+                    draw_in_deeper(o);
+                }
+            }
+        } while (std::find(crossed.begin(), crossed.end(), 1) != crossed.end());
+    }
+
+    void draw_in_deeper(std::size_t o) {
+        Grown& grown = grown_[o];
+        TriangleMesh& mesh = still_.obstacles[o].mesh;
+        if (grown.inset.limit.empty()) {
+            Eigen::AlignedBox3d box;
+            for (const Vec3& x : grown.full) {
+                box.extend(x);
+            }
+            grown.inset =
+                find_inset(grown.full, mesh.triangles, k_deepest_share * box.diagonal().norm());
+        }
+        grown.depth = grown.depth == 0.0 ? k_first_depth : k_deeper * grown.depth;
+        for (std::size_t v = 0; v < grown.full.size(); ++v) {
+            mesh.positions[v] = grown.place(v, 1.0);
+        }
+    }
+
+    /// Makes the drawn-in obstacles grow from t = 0 on; returns the substeps that this takes.
+    int let_grow() {
+        double thickness = std::numeric_limits<double>::infinity();
+        for (const Cloth& cloth : still_.cloths) {
+            thickness = std::min(thickness, cloth.params.fabric.thickness);
+        }
+        for (const Grown& grown : grown_) {
+            report_.deepest_inset = std::max(report_.deepest_inset, grown.deepest());
+        }
+        const double wanted = std::ceil(report_.deepest_inset / (k_growth_share * thickness));
+        const int substeps =
+            static_cast<int>(std::clamp<double>(wanted, k_least_substeps, k_most_substeps));
+        const double duration = k_substep * substeps;
+        for (std::size_t o = 0; o < grown_.size(); ++o) {
+            const Grown& grown = grown_[o];
+            if (grown.depth > 0.0) {
+                still_.obstacles[o].deformation = std::make_shared<Deformation>(
+                    grown.full.size(), 0, [&grown, duration](double t, std::span<Vec3> places) {
+                        const double share = std::max(1.0 - t / duration, 0.0);
+                        for (std::size_t v = 0; v < places.size(); ++v) {
+                            places[v] = share > 0.0 ? grown.place(v, share) : grown.full[v];
+                        }
+                    });
+            }
+        }
+        return substeps;
+    }
+
+    World& world_;
+    World still_;
+    ContactParams contact_;
+    SceneParams scene_;
+    std::vector<Grown> grown_;
+    GrowReport report_;
+};
+
+/// Takes cloth out of obstacles by letting these grow into it: each obstacle that cloth crosses is
+/// drawn in along its normals as deep as it takes until nothing crosses it (what then still does is
+/// untangled), and grows back to its size over a simulated pre-roll in which contact pushes the
+/// cloth out. Meanwhile time, the obstacles' own motion, gravity and wind stand still, pins let go
+/// and each substep starts from rest: the cloth is carried, not thrown, and nothing falls before
+/// the scene begins. Cloth that crosses cloth is untangled first.
+///
+/// Changes world.positions alone, which may still cross something when contact did not get through.
+/// Nothing when should_stop returned true; the world is then to be thrown away.
+std::optional<GrowReport>
+grow_obstacles(World& world, const Scene& scene, const std::function<bool()>& should_stop) {
+    return PreRoll(world, scene).run(should_stop);
+}
 
 /// Pairs named in a message; more would not be read.
 constexpr std::size_t k_named = 3;

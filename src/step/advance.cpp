@@ -5,11 +5,9 @@
 #include "base/stopwatch.h"
 #include "collide/crossings.h"
 #include "state/update_attachments.h"
-#include "step/held.h"
+#include "step/constrained_vertices.h"
 #include "step/implicit_step.h"
-#include "step/recover.h"
-#include "step/snapshot.h"
-#include "step/start_positions.h"
+#include "step/recovery.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,12 +25,12 @@ constexpr double k_automatic_substep = 0.01;
 /// A substep is halved at most this often: 1/1024 of its first length is the floor.
 constexpr int k_most_halvings = 10;
 
-/// A substep that contact cannot resolve is halved this often before contact yields. Obstacles that
-/// leave no room leave none in shorter steps.
+/// A substep that contact cannot resolve is halved this often before it is accepted unresolved: a
+/// pinch that leaves no room leaves none in shorter steps.
 constexpr int k_contact_halvings = 3;
 
-/// A vertex that leaves its object's mean motion by more than this share of the object's diagonal
-/// in one substep has been thrown, not simulated.
+/// A vertex that leaves its object's mean motion by more than this fraction of the object's
+/// diagonal in one substep has been thrown, not simulated.
 constexpr double k_greatest_motion = 0.25;
 
 /// Solves at most for pairs that meet during a substep. More: time spent on pairs that impulses
@@ -85,7 +83,7 @@ bool moves_too_far(const World& world,
     return false;
 }
 
-/// The same of each cloth and of the particles of each solid. Rigid bodies may turn as they like.
+/// The same for each cloth and the particles of each solid. Rigid bodies may turn as they like.
 bool moves_too_far(const World& world, std::span<const Vec3> end_positions) {
     bool moves = false;
     for (const Cloth& cloth : world.cloths) {
@@ -102,44 +100,46 @@ bool moves_too_far(const World& world, std::span<const Vec3> end_positions) {
 } // namespace
 
 struct Stepper::Impl {
-    Impl(const World& world, const SceneParams& scene, const ContactParams& contact)
-        : scene(scene), implicit(std::in_place, world, scene), solver(world, contact),
-          adaptation(world, scene.gravity), start(world), contact_params(contact),
-          adaptations(adaptations_of(world)) {}
+    explicit Impl(const Prepared& start)
+        : scene(start.scene()), implicit(std::in_place, start.world(), scene),
+          solver(start.world(), start.contact()), adaptation(start.world(), scene.gravity),
+          start_positions(start.world()), contact_params(start.contact()),
+          adaptations(adaptations_of(start.world())) {}
 
-    bool substep(World& world, double dt, bool may_yield, FrameReport& report);
+    bool substep(World& world, double dt, bool accept_unresolved, FrameReport& report);
     void find_average_velocities(const World& world, double dt);
     void solve_impacts(const World& world, double dt, ImplicitReport& step);
     void finish(World& world, double dt);
     void verify(const World& world, double time, FrameReport& report);
-    void keep_turning(World& world) const;
-    void forget_arrivals(World& world, double dt) const;
+    void conserve_angular_momentum(World& world) const;
+    void drop_history_of_new_contacts(World& world, double dt) const;
     void adapt(World& world, double time, FrameReport& report);
-    void follow_mesh(const World& world);
+    void remesh(const World& world);
 
     SceneParams scene;
     std::optional<ImplicitStep> implicit;
     ContactSolver solver;
     WorldAdaptation adaptation;
-    StartPositions start;
+    StartPositions start_positions;
     std::optional<WorldCrossings> crossings; ///< made when asked for
     ContactParams contact_params;
     std::vector<Index> adaptations; ///< of each cloth's mesh, as it is known here
     std::vector<ClothChanges> changes;
-    HeldVertices held;
+    ConstrainedVertices constrained;
     std::vector<Contact> contacts, met;
     std::vector<Vec3> end_positions, end_velocities;       ///< as if nothing touched
     std::vector<Vec3> average_velocities, free_velocities; ///< with and without contact
 };
 
 /// One substep in the order of Bender and Deul 2013, section 3. False: it failed, nothing changed.
-/// @param may_yield whether contact that finds no way may let pairs cross
-bool Stepper::Impl::substep(World& world, double dt, bool may_yield, FrameReport& report) {
+/// @param accept_unresolved  whether the substep may end with pairs that contact could not part
+bool Stepper::Impl::substep(World& world, double dt, bool accept_unresolved, FrameReport& report) {
     // 1. external forces, 2. one implicit step of all deformables, 3. average velocities, and
     // 4. proximities with friction, which act inside the step
-    find_held(world, world.time + dt, held);
-    solver.find_contacts(world, held.flags, dt, contacts);
-    ImplicitReport step = implicit->solve(world, held, dt, end_positions, end_velocities, contacts);
+    find_constrained(world, world.time + dt, constrained);
+    solver.find_contacts(world, constrained.flags, dt, contacts);
+    ImplicitReport step =
+        implicit->solve(world, constrained, dt, end_positions, end_velocities, contacts);
     find_average_velocities(world, dt);
     solve_impacts(world, dt, step);
     report.cg_iterations += step.cg_iterations;
@@ -151,8 +151,8 @@ bool Stepper::Impl::substep(World& world, double dt, bool may_yield, FrameReport
     // 5. impacts that are left, until there is none
     average_velocities = free_velocities;
     const ContactReport contact =
-        solver.resolve(world, average_velocities, held.flags, dt, contacts);
-    if (contact.unresolved > 0 && contact.was_clean && !may_yield) {
+        solver.resolve(world, average_velocities, constrained.flags, dt, contacts);
+    if (contact.unresolved > 0 && contact.was_clean && !accept_unresolved) {
         return false;
     }
     add_contact(report.contact, contact);
@@ -182,24 +182,24 @@ void Stepper::Impl::adapt(World& world, double time, FrameReport& report) {
     }
     {
         const ScopedTime update_watch(report.seconds.matrix_update);
-        implicit->adapt(world, changes);
+        implicit->remesh(world, changes);
     }
-    solver.remesh(world, start.of(world));
+    solver.remesh(world, start_positions.of(world));
     verify(world, time, report);
 }
 
-/// Takes up the mesh of a world that others have changed: one that is resumed, or taken back.
-void Stepper::Impl::follow_mesh(const World& world) {
+/// Follows a world whose mesh others have changed: it was resumed, or taken back to a frame.
+void Stepper::Impl::remesh(const World& world) {
     if (adaptations == adaptations_of(world)) {
         return;
     }
     adaptations = adaptations_of(world);
     implicit.emplace(world, scene);
-    solver.remesh(world, start.of(world));
-    adaptation.reset(world);
+    solver.remesh(world, start_positions.of(world));
+    adaptation.remesh(world);
 }
 
-/// Apart from contact itself, which it checks.
+/// Looks for crossings by a search that shares nothing with contact, which it checks.
 void Stepper::Impl::verify(const World& world, double time, FrameReport& report) {
     if (!crossings) {
         return;
@@ -222,12 +222,12 @@ void Stepper::Impl::find_average_velocities(const World& world, double dt) {
 void Stepper::Impl::solve_impacts(const World& world, double dt, ImplicitReport& step) {
     for (int pass = 0; step.converged; ++pass) {
         met.clear();
-        if (!solver.find_impacts(world, free_velocities, held.flags, dt, met) ||
+        if (!solver.find_impacts(world, free_velocities, constrained.flags, dt, met) ||
             pass == k_impact_solves) {
             return;
         }
         contacts.insert(contacts.end(), met.begin(), met.end());
-        implicit->solve_again(world, held, end_positions, end_velocities, contacts, step);
+        implicit->solve_again(world, constrained, end_positions, end_velocities, contacts, step);
         find_average_velocities(world, dt);
     }
 }
@@ -265,17 +265,18 @@ void Stepper::Impl::finish(World& world, double dt) {
             world.previous_velocities[i] = previous_v;
         }
     });
-    keep_turning(world);
+    conserve_angular_momentum(world);
     carry(world, world.positions);
     carry(world, world.velocities);
     if (two_step) {
-        forget_arrivals(world, dt);
+        drop_history_of_new_contacts(world, dt);
     }
     world.history_dt = two_step ? dt : 0.0;
 }
 
-/// A turning body ends with another velocity than its average one, which is that of a chord.
-void Stepper::Impl::keep_turning(World& world) const {
+/// A turning body ends with the velocity of the solve: its average one belongs to a chord of its
+/// path, and would lose angular momentum.
+void Stepper::Impl::conserve_angular_momentum(World& world) const {
     for (const RigidBody& rigid : world.rigids) {
         const auto first = static_cast<std::size_t>(rigid.body.first_particle);
         for (std::size_t i = first; i < first + 4; ++i) {
@@ -284,11 +285,10 @@ void Stepper::Impl::keep_turning(World& world) const {
     }
 }
 
-/// A vertex that ran into an obstacle within the implicit solve must not keep its way there in its
-/// two-step history, which would throw it back with a third of its speed: the history is shifted
-/// by the velocity that the obstacle took away, so that the vertex seems to have had what it has
-/// now. Where a vertex only rests, nothing is shifted.
-void Stepper::Impl::forget_arrivals(World& world, double dt) const {
+/// Takes the velocity that an obstacle took from a vertex within the implicit solve out of its
+/// two-step history too, which would otherwise throw the vertex back with a third of its speed. A
+/// vertex that only rests keeps its history.
+void Stepper::Impl::drop_history_of_new_contacts(World& world, double dt) const {
     // the solve itself moved an untouched vertex by 2 dt / 3 of the velocity taken, or by all of it
     const double untouched_shift = world.history_dt == dt ? -dt / 3.0 : 0.0;
     for (const Contact& contact : contacts) {
@@ -305,7 +305,7 @@ void Stepper::Impl::forget_arrivals(World& world, double dt) const {
             const Vec3 outward = contact.weights[k] > 0.0 ? contact.normal : -contact.normal;
             const double parting =
                 outward.dot(world.previous_velocities[i]) + contact.normal.dot(contact.driven) / dt;
-            if (held.flags[i] == 0 && parting < 0.0) {
+            if (constrained.flags[i] == 0 && parting < 0.0) {
                 const bool touched = average_velocities[i] != free_velocities[i];
                 const Vec3 taken = -parting * outward;
                 world.previous_velocities[i] += taken;
@@ -315,8 +315,7 @@ void Stepper::Impl::forget_arrivals(World& world, double dt) const {
     }
 }
 
-Stepper::Stepper(const World& world, const SceneParams& scene, const ContactParams& contact)
-    : impl_(std::make_unique<Impl>(world, scene, contact)) {}
+Stepper::Stepper(const Prepared& start) : impl_(std::make_unique<Impl>(start)) {}
 Stepper::~Stepper() = default;
 Stepper::Stepper(Stepper&&) noexcept = default;
 
@@ -326,7 +325,7 @@ void Stepper::verify_substeps(const World& world) {
 
 std::optional<FrameReport> Stepper::advance_frame(World& world,
                                                   const std::function<bool()>& should_stop) {
-    impl_->follow_mesh(world);
+    impl_->remesh(world);
     const Snapshot start(world);
     const double frame_dt = 1.0 / impl_->scene.fps;
     const int base_substeps =

@@ -9,11 +9,57 @@ namespace weft {
 
 namespace {
 
-Vec3 across(const Vec3& v, const Vec3& normal) {
+/// The load on a single contact, at the earth's surface, uses up this share of the contact
+/// thickness. Larger: heavy bodies sink in, and impulses carry them, which know nothing of what is
+/// behind a surface; smaller: the solve takes longer.
+constexpr double k_load_fraction = 0.2;
+constexpr double k_earth_gravity = 9.81;
+
+/// Share of a solid's surface that carries its load: one side of a cube.
+constexpr double k_loaded_fraction = 1.0 / 6.0;
+
+/// Half the sum of the membrane's moduli, or the stiffness of an edge.
+double stiffness_of(const Cloth& cloth) {
+    return cloth.params.model == Model::Corotational
+               ? 0.5 * cloth.params.fabric.stretch_stiffness.sum()
+               : cloth.params.spring.K;
+}
+
+double stiffness_under(double mass, double contacts, const Body& body) {
+    return mass * k_earth_gravity / (contacts * k_load_fraction * body.thickness);
+}
+
+Vec3 tangential(const Vec3& v, const Vec3& normal) {
     return v - normal.dot(v) * normal;
 }
 
 } // namespace
+
+std::vector<double> contact_stiffness(const World& world) {
+    std::vector<double> stiffness(world.vertex_count(), 0.0);
+    const auto set = [&](Index first, Index count, double value) {
+        std::fill_n(stiffness.begin() + first, count, value);
+    };
+    double rigid_mass = 0.0, heaviest = 0.0; // perhaps they lie on all others
+    for (const RigidBody& rigid : world.rigids) {
+        rigid_mass += rigid.params.mass;
+        heaviest = std::max(heaviest, rigid.params.mass);
+    }
+    for (const Cloth& cloth : world.cloths) {
+        set(cloth.first_vertex, cloth.vertex_count, stiffness_of(cloth));
+    }
+    for (const Solid& solid : world.solids) {
+        const SpringParams& spring = solid.params.spring;
+        const double contacts = std::max(1.0, k_loaded_fraction * solid.body.vertex_count);
+        set(solid.body.first_vertex, solid.body.vertex_count,
+            std::max(spring.K, stiffness_under(spring.mass + rigid_mass, contacts, solid.body)));
+    }
+    for (const RigidBody& rigid : world.rigids) {
+        set(rigid.body.first_vertex, rigid.body.vertex_count,
+            stiffness_under(heaviest, 1.0, rigid.body));
+    }
+    return stiffness;
+}
 
 void ContactForces::start(std::span<const Vec3> start, double dt) {
     start_ = start;
@@ -22,7 +68,7 @@ void ContactForces::start(std::span<const Vec3> start, double dt) {
     springs_.clear();
     terms_.clear();
     terms_begin_.assign(1, 0);
-    places_begin_.assign(1, 0);
+    pair_begin_.assign(1, 0);
     ++revision_;
 }
 
@@ -73,7 +119,7 @@ void ContactForces::add_terms(const Contact& contact) {
     }
     terms_begin_.push_back(terms_.size());
     const std::size_t count = terms_.size() - first;
-    places_begin_.push_back(places_begin_.back() + count * count);
+    pair_begin_.push_back(pair_begin_.back() + count * count);
 }
 
 /// To those of the contact at hand, which begin at `first`.
@@ -102,26 +148,26 @@ Vec3 ContactForces::relative(std::size_t contact, std::span<const Vec3> values) 
     return sum;
 }
 
-ContactForces::Place ContactForces::place(std::size_t c, std::span<const Vec3> x) const {
+ContactForces::Deflection ContactForces::deflection(std::size_t c, std::span<const Vec3> x) const {
     const Contact& contact = contacts_[c];
     const Vec3 moved = relative(c, x) - relative(c, start_) + contact.driven;
     return {contact.rest - contact.gap - contact.normal.dot(moved),
-            contact.slip + across(moved, contact.normal)};
+            contact.slip + tangential(moved, contact.normal)};
 }
 
 void ContactForces::fit_limits(std::span<const Vec3> x) {
     parallel_for(springs_.size(), [&](std::size_t c) {
         const Contact& contact = contacts_[c];
         const double friction = contact.slides ? contact.friction : contact.static_friction;
-        springs_[c].hold.limit = friction * springs_[c].push.force(place(c, x).approach);
+        springs_[c].friction.limit = friction * springs_[c].normal.force(deflection(c, x).approach);
     });
 }
 
 void ContactForces::add_forces(std::span<const Vec3> x, std::span<Vec3> forces) const {
     for (std::size_t c = 0; c < springs_.size(); ++c) {
-        const Place now = place(c, x);
-        const Vec3 force = springs_[c].push.force(now.approach) * contacts_[c].normal +
-                           springs_[c].hold.force(now.across);
+        const Deflection now = deflection(c, x);
+        const Vec3 force = springs_[c].normal.force(now.approach) * contacts_[c].normal +
+                           springs_[c].friction.force(now.tangential);
         for (const Term& term : terms(c)) {
             forces[at(term.vertex)] += term.weight * force;
         }
@@ -129,39 +175,40 @@ void ContactForces::add_forces(std::span<const Vec3> x, std::span<Vec3> forces) 
 }
 
 void ContactForces::trace(std::span<const Vec3> x, std::span<const Vec3> motion) {
-    at_.resize(springs_.size());
-    along_.resize(springs_.size());
+    deflections_.resize(springs_.size());
+    deflection_rates_.resize(springs_.size());
     parallel_for(springs_.size(), [&](std::size_t c) {
         const Vec3 moved = relative(c, motion);
-        at_[c] = place(c, x);
-        along_[c] = {-contacts_[c].normal.dot(moved), across(moved, contacts_[c].normal)};
+        deflections_[c] = deflection(c, x);
+        deflection_rates_[c] = {-contacts_[c].normal.dot(moved),
+                                tangential(moved, contacts_[c].normal)};
     });
 }
 
-double ContactForces::work_along(double share) const {
+double ContactForces::work_along(double alpha) const {
     return parallel_sum(springs_.size(), [&](std::size_t c) {
-        const double approach = at_[c].approach + share * along_[c].approach;
-        const Vec3 slip = at_[c].across + share * along_[c].across;
-        return springs_[c].hold.force(slip).dot(along_[c].across) -
-               springs_[c].push.force(approach) * along_[c].approach;
+        const double approach = deflections_[c].approach + alpha * deflection_rates_[c].approach;
+        const Vec3 slip = deflections_[c].tangential + alpha * deflection_rates_[c].tangential;
+        return springs_[c].friction.force(slip).dot(deflection_rates_[c].tangential) -
+               springs_[c].normal.force(approach) * deflection_rates_[c].approach;
     });
 }
 
-void ContactForces::find_places(std::span<const Index> row_of_vertex,
-                                std::span<const char> held,
+void ContactForces::find_blocks(std::span<const Index> row_of_vertex,
+                                std::span<const char> constrained,
                                 const BlockMatrix& matrix) {
-    places_.resize(places_begin_.back());
+    term_blocks_.resize(pair_begin_.back());
     parallel_for(contacts_.size(), [&](std::size_t c) {
         const auto moves = [&](const Term& term) {
-            return term.weight != 0.0 && held[at(term.vertex)] == 0;
+            return term.weight != 0.0 && constrained[at(term.vertex)] == 0;
         };
-        std::size_t k = places_begin_[c];
+        std::size_t k = pair_begin_[c];
         for (const Term& row : terms(c)) {
             for (const Term& column : terms(c)) {
-                places_[k++] = moves(row) && moves(column)
-                                   ? find_block(matrix, row_of_vertex[at(row.vertex)],
-                                                row_of_vertex[at(column.vertex)])
-                                   : k_no_index;
+                term_blocks_[k++] = moves(row) && moves(column)
+                                        ? find_block(matrix, row_of_vertex[at(row.vertex)],
+                                                     row_of_vertex[at(column.vertex)])
+                                        : k_no_index;
             }
         }
     });
@@ -169,32 +216,32 @@ void ContactForces::find_places(std::span<const Index> row_of_vertex,
 
 void ContactForces::add_blocks(std::span<const Vec3> x,
                                double scale,
-                               double caution,
+                               double damping,
                                BlockMatrix& matrix) {
-    assert(places_.size() == places_begin_.back());
+    assert(term_blocks_.size() == pair_begin_.back());
     blocks_.resize(springs_.size());
     parallel_for(springs_.size(), [&](std::size_t c) {
-        const Place now = place(c, x);
-        const double push = springs_[c].push.tangent(now.approach);
+        const Deflection now = deflection(c, x);
+        const double normal = springs_[c].normal.tangent(now.approach);
         const Vec3& n = contacts_[c].normal;
         const Mat3 along = n * n.transpose();
         const Mat3 plane = Mat3::Identity() - along;
-        blocks_[c] =
-            push == 0.0
-                ? Mat3(Mat3::Zero())
-                : Mat3(scale *
-                       (push * along +
-                        plane * springs_[c].hold.cautious_tangent(now.across, caution) * plane));
+        blocks_[c] = normal == 0.0
+                         ? Mat3(Mat3::Zero())
+                         : Mat3(scale * (normal * along + plane *
+                                                              springs_[c].friction.damped_tangent(
+                                                                  now.tangential, damping) *
+                                                              plane));
     });
     // Contacts share blocks: one after the other.
     for (std::size_t c = 0; c < springs_.size(); ++c) {
         if (blocks_[c](0, 0) == 0.0 && blocks_[c].isZero(0.0)) {
             continue;
         }
-        std::size_t k = places_begin_[c];
+        std::size_t k = pair_begin_[c];
         for (const Term& row : terms(c)) {
             for (const Term& column : terms(c)) {
-                if (const Index place = places_[k++]; place != k_no_index) {
+                if (const Index place = term_blocks_[k++]; place != k_no_index) {
                     matrix.blocks[at(place)] += row.weight * column.weight * blocks_[c];
                 }
             }
@@ -221,19 +268,19 @@ void ContactForces::list_blocks(std::span<const Index> row_of_vertex,
 void ContactForces::report(std::span<const Vec3> x, std::span<Contact> contacts) const {
     assert(contacts.size() == springs_.size());
     for (std::size_t c = 0; c < springs_.size(); ++c) {
-        const Place end = place(c, x);
+        const Deflection end = deflection(c, x);
         const Spring& spring = springs_[c];
-        contacts[c].impulse = dt_ * spring.push.force(end.approach);
-        contacts[c].drag = dt_ * spring.hold.force(end.across);
+        contacts[c].impulse = dt_ * spring.normal.force(end.approach);
+        contacts[c].drag = dt_ * spring.friction.force(end.tangential);
     }
     report_slips(x, contacts);
 }
 
 void ContactForces::report_slips(std::span<const Vec3> x, std::span<Contact> contacts) const {
     for (std::size_t c = 0; c < springs_.size(); ++c) {
-        const Place end = place(c, x);
-        contacts[c].slip = springs_[c].hold.kept(end.across);
-        contacts[c].slides = (end.across - contacts[c].slip).norm() > k_sliding_speed * dt_;
+        const Deflection end = deflection(c, x);
+        contacts[c].slip = springs_[c].friction.kept(end.tangential);
+        contacts[c].slides = (end.tangential - contacts[c].slip).norm() > k_sliding_speed * dt_;
     }
 }
 

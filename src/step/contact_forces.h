@@ -8,6 +8,11 @@
 
 namespace weft {
 
+/// How stiff a spring of contact is at each vertex (N/m, by World vertex): as the material itself,
+/// so that the matrix is no worse conditioned; where bodies may be loaded by more than their
+/// material is stiff, as the load asks for. Particles have none: what they carry touches.
+std::vector<double> contact_stiffness(const World& world);
+
 /// What contacts do inside the implicit solve. Each pushes along its normal and holds across it
 /// (contact_law.h); both follow from where vertices end, so that for a given limit of friction
 /// contact is the slope of a convex potential. What a contact does to a carried vertex it does to
@@ -40,10 +45,10 @@ public:
     /// Adds forces when vertices end at x (#V), N.
     void add_forces(std::span<const Vec3> x, std::span<Vec3> forces) const;
 
-    /// Looks along x + share * motion (#V each, m); work_along is then the sum of force times
+    /// Looks along x + alpha * motion (#V each, m); work_along is then the sum of force times
     /// motion there, J.
     void trace(std::span<const Vec3> x, std::span<const Vec3> motion);
-    double work_along(double share) const;
+    double work_along(double alpha) const;
 
     /// Counts the changes of the list: another number, other blocks.
     int revision() const { return revision_; }
@@ -51,14 +56,14 @@ public:
     /// Blocks that contacts need in a matrix whose rows are those of the vertices.
     void list_blocks(std::span<const Index> row_of_vertex, std::vector<BlockEntry>& entries) const;
 
-    /// Looks up where these blocks stand; those of vertices that are held are left out.
-    void find_places(std::span<const Index> row_of_vertex,
-                     std::span<const char> held,
+    /// Looks up where these blocks stand; those of vertices that are constrained are left out.
+    void find_blocks(std::span<const Index> row_of_vertex,
+                     std::span<const char> constrained,
                      const BlockMatrix& matrix);
 
     /// Adds scale * stiffness where vertices end at x to the blocks found.
-    /// @param caution of friction that slides, see FrictionLaw
-    void add_blocks(std::span<const Vec3> x, double scale, double caution, BlockMatrix& matrix);
+    /// @param damping of friction that slides, see FrictionLaw
+    void add_blocks(std::span<const Vec3> x, double scale, double damping, BlockMatrix& matrix);
 
     /// Writes what was carried, when vertices end at x, to the list given to take().
     void report(std::span<const Vec3> x, std::span<Contact> contacts) const;
@@ -69,13 +74,13 @@ public:
 
 private:
     struct Spring {
-        NormalLaw push;
-        FrictionLaw hold;
+        NormalLaw normal;
+        FrictionLaw friction;
     };
     /// Where a contact stands when vertices end somewhere.
-    struct Place {
+    struct Deflection {
         double approach; ///< nearer than the rest gap by this, m
-        Vec3 across;     ///< displacement of its friction spring, m
+        Vec3 tangential; ///< displacement of its friction spring, m
     };
 
     /// The share that a vertex which is solved for has in a contact.
@@ -88,7 +93,7 @@ private:
     void add_terms(const Contact& contact);
     void add_term(std::size_t first, Index vertex, double weight);
     double stiffness_of(const Contact& contact) const;
-    Place place(std::size_t contact, std::span<const Vec3> x) const;
+    Deflection deflection(std::size_t contact, std::span<const Vec3> x) const;
     Vec3 relative(std::size_t contact, std::span<const Vec3> values) const;
 
     std::vector<double> stiffness_;
@@ -98,11 +103,12 @@ private:
     std::span<const Contact> contacts_;
     std::vector<Spring> springs_; ///< of each contact
     std::vector<Term> terms_;     ///< of all contacts, one after the other
-    std::vector<std::size_t> terms_begin_{0}, places_begin_{0};
+    std::vector<std::size_t> terms_begin_{0}, pair_begin_{0};
     int revision_ = 0;
-    std::vector<Index> places_;     ///< of each contact's blocks, a row a term; k_no_index: none
-    std::vector<Mat3> blocks_;      ///< of each contact
-    std::vector<Place> at_, along_; ///< of each contact: at x, and its change along the motion
+    std::vector<Index> term_blocks_; ///< of each contact's blocks, a row a term; k_no_index: none
+    std::vector<Mat3> blocks_;       ///< of each contact
+    std::vector<Deflection> deflections_,
+        deflection_rates_; ///< by contact: at x, and along the motion
 };
 
 } // namespace weft

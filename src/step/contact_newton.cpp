@@ -1,5 +1,6 @@
 #include "step/contact_newton.h"
 
+#include "base/line_search.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 
@@ -27,15 +28,13 @@ constexpr double k_greatest_forcing = 0.3;
 /// Iterations without the coarse space. A solve that ends within them would not pay for it.
 constexpr int k_fine_iterations = 24;
 
-/// A full Newton change is taken when the slope of the potential has fallen to this share.
-constexpr double k_slope_share = 0.1;
-constexpr int k_most_cuts = 40;
-constexpr double k_greatest_share = 16.0;
+/// A step along a direction ends where the slope of the potential is this fraction of its start.
+constexpr double k_slope_left = 0.1;
 
-/// A round that could go less than this share of its way met friction that its tangent did not
-/// see; the next one is cautious, and those after it less and less.
-constexpr double k_short_share = 0.3;
-constexpr double k_caution_kept = 0.5;
+/// A round that stepped by less than this alpha met friction that its tangent did not see; the
+/// friction tangent of the next round is damped, and that of later ones less and less.
+constexpr double k_short_step = 0.3;
+constexpr double k_damping_kept = 0.5;
 
 } // namespace
 
@@ -72,10 +71,10 @@ ContactNewton::build_matrix(const LinearStep& step, ContactForces& contact, Bala
             revision_ = contact.revision();
             contact.list_blocks(step.row_of_vertex, joined_);
             same_pattern = !coupled_.couple(*step.matrix, joined_) && same_pattern;
-            contact.find_places(step.row_of_vertex, step.held, coupled_.matrix());
+            contact.find_blocks(step.row_of_vertex, step.constrained, coupled_.matrix());
         }
         coupled_.load(*step.matrix);
-        contact.add_blocks(step.x, step.beta * step.beta, caution_, coupled_.matrix());
+        contact.add_blocks(step.x, step.beta * step.beta, damping_, coupled_.matrix());
     }
     if (!same_pattern) {
         preconditioner_.reset();
@@ -91,16 +90,16 @@ void ContactNewton::build_coarse_space(const LinearStep& step, const BlockMatrix
         coarse_.set_pattern(*step.matrix);
         is_coarse_cut_ = true;
     }
-    places_.resize(step.residual.size());
+    row_positions_.resize(step.residual.size());
     fixed_.resize(step.residual.size());
     parallel_for(step.x.size(), [&](std::size_t v) {
         if (step.row_of_vertex[v] == k_no_index) {
             return;
         }
-        places_[at(step.row_of_vertex[v])] = step.x[v];
-        fixed_[at(step.row_of_vertex[v])] = step.held[v];
+        row_positions_[at(step.row_of_vertex[v])] = step.x[v];
+        fixed_[at(step.row_of_vertex[v])] = step.constrained[v];
     });
-    coarse_.build(matrix, places_, fixed_);
+    coarse_.build(matrix, row_positions_, fixed_);
     is_coarse_built_ = true;
 }
 
@@ -136,42 +135,6 @@ bool ContactNewton::find_direction(const LinearStep& step,
     return cg.converged;
 }
 
-/// Multiple of the direction at which the slope of the potential has all but vanished.
-/// @param slope, curvature  of the step alone along the direction
-double
-ContactNewton::best_share(const ContactForces& contact, double slope, double curvature) const {
-    const auto slope_at = [&](double share) {
-        return slope + share * curvature - contact.work_along(share);
-    };
-    const double enough = k_slope_share * std::abs(slope_at(0.0));
-    double low = 0.0;
-    double slope_low = slope_at(low);
-    double high = 1.0;
-    double slope_high = slope_at(high);
-    while (slope_high < -enough && high < k_greatest_share) {
-        low = high;
-        slope_low = slope_high;
-        high *= 2.0;
-        slope_high = slope_at(high);
-    }
-    if (slope_high <= enough) {
-        return high;
-    }
-    double share = high;
-    for (int i = 0; i < k_most_cuts; ++i) {
-        // The root of the secant, but well inside the bracket: slopes have kinks.
-        const double secant = low - slope_low * (high - low) / (slope_high - slope_low);
-        share = std::clamp(secant, low + 0.1 * (high - low), high - 0.1 * (high - low));
-        const double here = slope_at(share);
-        if (std::abs(here) <= enough) {
-            break;
-        }
-        (here < 0.0 ? low : high) = share;
-        (here < 0.0 ? slope_low : slope_high) = here;
-    }
-    return share;
-}
-
 double ContactNewton::move_along(const LinearStep& step,
                                  ContactForces& contact,
                                  std::span<const Vec3> direction) {
@@ -188,24 +151,28 @@ double ContactNewton::move_along(const LinearStep& step,
         return 0.0;
     }
     contact.trace(step.x, motion_);
-    const double share =
-        contact.empty() ? -slope / curvature : best_share(contact, slope, curvature);
+    const auto slope_at = [&](double alpha) {
+        return slope + alpha * curvature - contact.work_along(alpha);
+    };
+    const double alpha =
+        contact.empty() ? -slope / curvature : find_minimum(slope_at, k_slope_left);
     parallel_for(motion_.size(), [&](std::size_t v) {
         if (step.row_of_vertex[v] == k_no_index) {
             return;
         }
         const std::size_t row = at(step.row_of_vertex[v]);
-        step.x[v] += share * motion_[v];
-        step.v[v] += share * direction[row];
-        step.residual[row] -= share * product_[row];
+        step.x[v] += alpha * motion_[v];
+        step.v[v] += alpha * direction[row];
+        step.residual[row] -= alpha * product_[row];
     });
-    return share;
+    return alpha;
 }
 
 /// What moves freely keeps its momentum to the last bits, however well the solves were ended: the
 /// imbalance that is left as a whole goes into a translation, which strains nothing.
 void ContactNewton::keep_momentum(const LinearStep& step, const ContactForces& contact) {
-    const bool free = std::find(step.held.begin(), step.held.end(), 1) == step.held.end();
+    const bool free =
+        std::find(step.constrained.begin(), step.constrained.end(), 1) == step.constrained.end();
     if (!free || !contact.is_internal()) {
         return;
     }
@@ -230,7 +197,7 @@ void ContactNewton::keep_momentum(const LinearStep& step, const ContactForces& c
 BalanceReport ContactNewton::solve(const LinearStep& step, ContactForces& contact) {
     BalanceReport report;
     double forcing = k_first_forcing;
-    caution_ = 0.0;
+    damping_ = 0.0;
     is_coarse_built_ = false;
     while (true) {
         const bool is_last = report.rounds == k_most_rounds; // only tells how well it balances
@@ -252,8 +219,8 @@ BalanceReport ContactNewton::solve(const LinearStep& step, ContactForces& contac
             report.converged = false;
             break;
         }
-        const double share = move_along(step, contact, direction_);
-        caution_ = share < k_short_share ? 1.0 : k_caution_kept * caution_;
+        const double alpha = move_along(step, contact, direction_);
+        damping_ = alpha < k_short_step ? 1.0 : k_damping_kept * damping_;
         ++report.rounds;
     }
     if (report.converged) {

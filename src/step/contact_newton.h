@@ -12,18 +12,21 @@ namespace weft {
 ///     residual + beta f_contact(x) = 0,    residual = r - A c,    x = x_base + beta (v + c)
 ///
 /// and a further change d of velocities takes A d from `residual` and adds beta d to x. Rows of
-/// held vertices are the identity and their residual is zero; carried ones have no row, and stay.
+/// constrained vertices are the identity and their residual is zero; carried ones have no row, and
+/// stay.
 struct LinearStep {
     const BlockMatrix* matrix;
     std::span<const Index> row_of_vertex; ///< k_no_index: carried
-    std::span<const char> held;           ///< by vertex
+    std::span<const char> constrained;    ///< by vertex
     double beta;                          ///< s
     double tolerance;                     ///< of the balance, N s
     std::span<Vec3> residual;             ///< by row, N s
     std::span<Vec3> x;                    ///< by vertex: where vertices end, m
     std::span<Vec3> v;                    ///< by vertex: with which velocity, m/s
 
-    bool moves(std::size_t v) const { return held[v] == 0 && row_of_vertex[v] != k_no_index; }
+    bool moves(std::size_t v) const {
+        return constrained[v] == 0 && row_of_vertex[v] != k_no_index;
+    }
 };
 
 /// What it took.
@@ -47,8 +50,8 @@ public:
     /// From where the step stands to the balance. Deterministic.
     BalanceReport solve(const LinearStep& step, ContactForces& contact);
 
-    /// Moves along `direction` (by row, 0 for held rows) as far as lowers the potential most.
-    /// Returns the multiple of the direction.
+    /// Moves along `direction` (by row, 0 for constrained rows) as far as lowers the potential
+    /// most. Returns the multiple of the direction.
     double
     move_along(const LinearStep& step, ContactForces& contact, std::span<const Vec3> direction);
 
@@ -62,7 +65,6 @@ private:
     const BlockMatrix&
     build_matrix(const LinearStep& step, ContactForces& contact, BalanceReport& report);
     void build_coarse_space(const LinearStep& step, const BlockMatrix& matrix);
-    double best_share(const ContactForces& contact, double slope, double curvature) const;
 
     CoupledMatrix coupled_;
     IncompleteCholesky preconditioner_;
@@ -71,10 +73,10 @@ private:
     bool is_coarse_built_ = false; ///< its system is of the present step
     ConjugateGradient cg_;
     bool was_coupled_ = false;
-    double caution_ = 0.0; ///< of the round, see FrictionLaw
+    double damping_ = 0.0; ///< of the round, see FrictionLaw
     int revision_ = -1;    ///< of the contacts whose blocks are coupled
     std::vector<BlockEntry> joined_;
-    std::vector<Vec3> places_;                          ///< by row
+    std::vector<Vec3> row_positions_;                   ///< by row
     std::vector<char> fixed_;                           ///< by row
     std::vector<Vec3> imbalance_, direction_, product_; ///< by row
     std::vector<Vec3> forces_, motion_;                 ///< by vertex

@@ -32,7 +32,8 @@ public:
     virtual ElementSet set() const = 0;
 
     /// Returns the slots that changed.
-    virtual std::vector<Index> adapt(const World& world, std::span<const ClothChanges> changes) = 0;
+    virtual std::vector<Index> remesh(const World& world,
+                                      std::span<const ClothChanges> changes) = 0;
 
     virtual void start_substep(std::span<const Vec3>) {}
     virtual void evaluate(std::span<const Vec3> x,
@@ -56,9 +57,9 @@ struct OfCloth {
     }
     template <typename Elements>
     std::vector<Index>
-    update(Elements& elements, const World& world, std::span<const ClothChanges> changes) const {
-        if constexpr (requires { elements.update(world.cloths[cloth], changes[cloth]); }) {
-            return elements.update(world.cloths[cloth], changes[cloth]);
+    remesh(Elements& elements, const World& world, std::span<const ClothChanges> changes) const {
+        if constexpr (requires { elements.remesh(world.cloths[cloth], changes[cloth]); }) {
+            return elements.remesh(world.cloths[cloth], changes[cloth]);
         } else {
             return {};
         }
@@ -72,7 +73,7 @@ struct OfSolid {
         const Body& body = world.solids[solid].body;
         return {body.first_particle, body.particle_count};
     }
-    std::vector<Index> update(EdgeElements&, const World&, std::span<const ClothChanges>) const {
+    std::vector<Index> remesh(EdgeElements&, const World&, std::span<const ClothChanges>) const {
         return {};
     }
 };
@@ -85,7 +86,7 @@ struct OfWorld {
     }
     template <typename Elements>
     std::vector<Index>
-    update(Elements& elements, const World& world, std::span<const ClothChanges>) const {
+    remesh(Elements& elements, const World& world, std::span<const ClothChanges>) const {
         elements = Elements(world);
         std::vector<Index> slots(elements.size());
         std::iota(slots.begin(), slots.end(), 0);
@@ -116,9 +117,9 @@ public:
                     .is_difference = Elements::k_is_difference};
         }
     }
-    std::vector<Index> adapt(const World& world, std::span<const ClothChanges> changes) override {
+    std::vector<Index> remesh(const World& world, std::span<const ClothChanges> changes) override {
         vertices_ = owner_.vertices(world);
-        return owner_.update(elements_, world, changes);
+        return owner_.remesh(elements_, world, changes);
     }
     void start_substep(std::span<const Vec3> v) override {
         if constexpr (requires { elements_.linearise_at(v); }) {
@@ -191,11 +192,11 @@ std::vector<ElementSet> ForceSystem::sets() const {
     return sets;
 }
 
-void ForceSystem::adapt(const World& world, std::span<const ClothChanges> changes) {
+void ForceSystem::remesh(const World& world, std::span<const ClothChanges> changes) {
     assert(changes.size() == world.cloths.size());
     std::vector<std::vector<Index>> changed;
     for (const auto& group : groups_) {
-        changed.push_back(group->adapt(world, changes));
+        changed.push_back(group->remesh(world, changes));
     }
     assembler_->remesh(vertex_ranges(world), sets(), changed);
     resize_arrays();

@@ -19,7 +19,7 @@ public:
     /// Takes up what the cloths have become. All is then as if made of the world as it is now, but
     /// only what changed has been made anew.
     /// @param changes of each cloth, since the last call or the construction
-    void adapt(const World& world, std::span<const ClothChanges> changes);
+    void remesh(const World& world, std::span<const ClothChanges> changes);
 
     const Assembler& assembler() const { return *assembler_; }
 

@@ -1,9 +1,9 @@
 #include "step/implicit_step.h"
 
+#include "base/line_search.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "step/contact_stiffness.h"
-#include "step/rigid_step.h"
+#include "step/rigid_prediction.h"
 
 #include <cassert>
 #include <cmath>
@@ -12,11 +12,7 @@ namespace weft {
 
 namespace {
 
-/// A full Newton change is taken when the slope of the potential along it has fallen to this share
-/// of its start. Larger: overshoots are let through; smaller: steps are cut that would have been
-/// good.
-constexpr double k_slope_share = 0.5;
-constexpr int k_most_halvings = 10;
+constexpr int k_most_halvings = 10; ///< of a Newton step
 
 bool all_finite(std::span<const Vec3> values) {
     return parallel_reduce(
@@ -42,13 +38,13 @@ ImplicitStep::ImplicitStep(const World& world, const SceneParams& params)
     resize(world);
 }
 
-void ImplicitStep::adapt(const World& world, std::span<const ClothChanges> changes) {
-    forces_.adapt(world, changes);
+void ImplicitStep::remesh(const World& world, std::span<const ClothChanges> changes) {
+    forces_.remesh(world, changes);
     resize(world);
     newton_.reset();
 }
 
-/// What there is of each vertex and row. Values that a solve leaves are not used by the next.
+/// Sizes the arrays by vertex and by row. No solve uses values that the last one left in them.
 void ImplicitStep::resize(const World& world) {
     masses_ = world.masses;
     mass_damping_ = mass_damping(world);
@@ -69,7 +65,7 @@ void ImplicitStep::resize(const World& world) {
 }
 
 ImplicitReport ImplicitStep::solve(const World& world,
-                                   const HeldVertices& held,
+                                   const ConstrainedVertices& constrained,
                                    double dt,
                                    std::vector<Vec3>& end_positions,
                                    std::vector<Vec3>& end_velocities,
@@ -82,27 +78,28 @@ ImplicitReport ImplicitStep::solve(const World& world,
     contact_forces_.take(contacts);
     report.converged = true;
     for (int i = 0; i < params_.newton && report.converged; ++i) {
-        if (!newton_iteration(held, i == 0, report)) {
+        if (!newton_iteration(constrained, i == 0, report)) {
             break;
         }
     }
-    finish(world, held, end_positions, end_velocities, contacts, report);
+    finish(world, constrained, end_positions, end_velocities, contacts, report);
     return report;
 }
 
 void ImplicitStep::solve_again(const World& world,
-                               const HeldVertices& held,
+                               const ConstrainedVertices& constrained,
                                std::vector<Vec3>& end_positions,
                                std::vector<Vec3>& end_velocities,
                                std::span<Contact> contacts,
                                ImplicitReport& report) {
     contact_forces_.take(contacts);
-    newton_iteration(held, false, report); // what meets deforms cloth: linearised where it is now
-    finish(world, held, end_positions, end_velocities, contacts, report);
+    newton_iteration(constrained, false,
+                     report); // what meets deforms cloth: linearised where it is now
+    finish(world, constrained, end_positions, end_velocities, contacts, report);
 }
 
 void ImplicitStep::finish(const World& world,
-                          const HeldVertices& held,
+                          const ConstrainedVertices& constrained,
                           std::vector<Vec3>& end_positions,
                           std::vector<Vec3>& end_velocities,
                           std::span<Contact> contacts,
@@ -110,14 +107,14 @@ void ImplicitStep::finish(const World& world,
     end_velocities = v_;
     end_positions = x_;
     parallel_for(v_.size(), [&](std::size_t i) {
-        if (held.flags[i] != 0) {
-            end_positions[i] = held.targets[i];
-            end_velocities[i] = (held.targets[i] - world.positions[i]) / dt_;
+        if (constrained.flags[i] != 0) {
+            end_positions[i] = constrained.targets[i];
+            end_velocities[i] = (constrained.targets[i] - world.positions[i]) / dt_;
         }
     });
     contact_forces_.report(end_positions, contacts);
     if (!world.rigids.empty()) {
-        bring_back_rigids(world, end_positions, end_velocities);
+        project_rigids(world, end_positions, end_velocities);
         contact_forces_.report_slips(end_positions, contacts);
     }
     carry(world, end_positions);
@@ -125,34 +122,36 @@ void ImplicitStep::finish(const World& world,
     report.converged = report.converged && all_finite(end_positions) && all_finite(end_velocities);
 }
 
-/// Rigid bodies begin where they get when no force acts: their balance is looked for around that.
-void ImplicitStep::let_rigids_fly(const World& world, double dt) {
+/// Rigid bodies start from where they get when no force acts; the solve adds to that motion.
+void ImplicitStep::predict_rigids(const World& world, double dt) {
     for (const RigidBody& rigid : world.rigids) {
-        const FreeFlight flight = fly_freely(rigid.rest, particles_of(rigid, world.positions),
-                                             particles_of(rigid, world.velocities), dt);
+        const RigidPrediction prediction =
+            predict_rigid(rigid.rest, particles_of(rigid, world.positions),
+                          particles_of(rigid, world.velocities), dt);
         for (std::size_t k = 0; k < 4; ++k) {
             const std::size_t i = static_cast<std::size_t>(rigid.body.first_particle) + k;
-            v_base_[i] = flight.velocities[k];
-            x_base_[i] = flight.positions[k] - beta_ * v_base_[i];
-            x_[i] = flight.positions[k];
+            v_base_[i] = prediction.velocities[k];
+            x_base_[i] = prediction.positions[k] - beta_ * v_base_[i];
+            x_[i] = prediction.positions[k];
             v_[i] = v_base_[i];
             guess_[i].setZero();
         }
     }
 }
 
-void ImplicitStep::bring_back_rigids(const World& world,
-                                     std::span<Vec3> end_positions,
-                                     std::span<Vec3> end_velocities) const {
+void ImplicitStep::project_rigids(const World& world,
+                                  std::span<Vec3> end_positions,
+                                  std::span<Vec3> end_velocities) const {
     for (const RigidBody& rigid : world.rigids) {
         const auto first = static_cast<std::size_t>(rigid.body.first_particle);
-        FreeFlight flight;
+        RigidPrediction prediction;
         for (std::size_t k = 0; k < 4; ++k) {
-            flight.velocities[k] = v_base_[first + k];
-            flight.positions[k] = x_base_[first + k] + beta_ * v_base_[first + k];
+            prediction.velocities[k] = v_base_[first + k];
+            prediction.positions[k] = x_base_[first + k] + beta_ * v_base_[first + k];
         }
-        const FreeFlight end = bring_back(rigid.rest, flight, particles_of(rigid, end_positions),
-                                          particles_of(rigid, end_velocities));
+        const RigidPrediction end =
+            project_to_rigid(rigid.rest, prediction, particles_of(rigid, end_positions),
+                             particles_of(rigid, end_velocities));
         std::copy(end.positions.begin(), end.positions.end(),
                   end_positions.begin() + rigid.body.first_particle);
         std::copy(end.velocities.begin(), end.velocities.end(),
@@ -174,23 +173,23 @@ void ImplicitStep::start(const World& world, double dt) {
         guess_[i] = v - v_[i];
     });
     assert(world.rigids.empty() || beta_ == dt);
-    let_rigids_fly(world, dt);
+    predict_rigids(world, dt);
     floor_ = params_.gravity.norm() * dt *
              std::sqrt(parallel_sum(masses_.size(),
                                     [&](std::size_t i) { return masses_[i] * masses_[i]; }));
 }
 
 /// One linearisation, balanced with contact; false when it was the last one needed or failed.
-bool ImplicitStep::newton_iteration(const HeldVertices& held,
+bool ImplicitStep::newton_iteration(const ConstrainedVertices& constrained,
                                     bool is_first,
                                     ImplicitReport& report) {
     linear_v_ = v_;
-    linearise(held, is_first, report);
+    linearise(constrained, is_first, report);
     if (is_first) {
-        fall(held);
+        predict_ballistic(constrained);
     }
     const double slope = -dot(residual_, change_);
-    balance(held, report);
+    balance(constrained, report);
     if (!report.converged) {
         return false;
     }
@@ -198,8 +197,8 @@ bool ImplicitStep::newton_iteration(const HeldVertices& held,
 
     parallel_for(v_.size(), [&](std::size_t i) { change_[i] = v_[i] - linear_v_[i]; });
     if (!is_first) {
-        const double length = line_search(linear_v_, slope);
-        parallel_for(v_.size(), [&](std::size_t i) { v_[i] = linear_v_[i] + length * change_[i]; });
+        const double alpha = line_search(linear_v_, slope);
+        parallel_for(v_.size(), [&](std::size_t i) { v_[i] = linear_v_[i] + alpha * change_[i]; });
         move_to(v_, x_);
     }
     const double largest = std::sqrt(parallel_reduce(
@@ -211,22 +210,26 @@ bool ImplicitStep::newton_iteration(const HeldVertices& held,
 
 /// The linear step at (x_, v_), then (x_, v_) moved to the guess: where vertices go without new
 /// forces, held ones to their targets.
-void ImplicitStep::linearise(const HeldVertices& held, bool is_first, ImplicitReport& report) {
+void ImplicitStep::linearise(const ConstrainedVertices& constrained,
+                             bool is_first,
+                             ImplicitReport& report) {
     Stopwatch watch;
     forces_.evaluate(x_, v_, {beta_ * beta_, beta_}, force_);
     report.seconds_forces += watch.seconds();
     watch.restart();
     find_residual();
     parallel_for(v_.size(), [&](std::size_t i) {
-        const Vec3 held_change = (held.targets[i] - x_base_[i]) / beta_ - v_[i];
-        change_[i] = held.flags[i] != 0 ? held_change : is_first ? guess_[i] : Vec3(Vec3::Zero());
+        const Vec3 constrained_change = (constrained.targets[i] - x_base_[i]) / beta_ - v_[i];
+        change_[i] = constrained.flags[i] != 0 ? constrained_change
+                     : is_first                ? guess_[i]
+                                               : Vec3(Vec3::Zero());
         diagonal_[i] = masses_[i] + beta_ * mass_damping_[i];
     });
     forces_.assemble(diagonal_, matrix_);
     to_rows(residual_, row_residual_);
     to_rows(change_, row_change_);
     multiply(matrix_, row_change_, row_product_);
-    scale_ = std::max(eliminate_held(held), floor_);
+    scale_ = std::max(eliminate_constrained(constrained), floor_);
     parallel_for(v_.size(), [&](std::size_t i) {
         v_[i] += change_[i];
         x_[i] = x_base_[i] + beta_ * v_[i];
@@ -234,10 +237,10 @@ void ImplicitStep::linearise(const HeldVertices& held, bool is_first, ImplicitRe
     report.seconds_assembly += watch.seconds();
 }
 
-LinearStep ImplicitStep::linear_step(const HeldVertices& held) {
+LinearStep ImplicitStep::linear_step(const ConstrainedVertices& constrained) {
     return {&matrix_,
             forces_.assembler().row_of_vertex(),
-            held.flags,
+            constrained.flags,
             beta_,
             params_.solver_tolerance * scale_,
             row_residual_,
@@ -245,20 +248,20 @@ LinearStep ImplicitStep::linear_step(const HeldVertices& held) {
             v_};
 }
 
-/// Lets everything fall by the multiple of gravity that lowers the potential most: all of it for
-/// cloth in the air, nothing for cloth at rest.
-void ImplicitStep::fall(const HeldVertices& held) {
+/// The first guess: everything accelerates by the multiple of gravity that lowers the potential
+/// most. That is all of it for cloth in the air, and nothing for cloth at rest.
+void ImplicitStep::predict_ballistic(const ConstrainedVertices& constrained) {
     parallel_for(v_.size(), [&](std::size_t i) {
-        trial_v_[i] = held.flags[i] != 0 ? Vec3(Vec3::Zero()) : params_.gravity;
+        trial_v_[i] = constrained.flags[i] != 0 ? Vec3(Vec3::Zero()) : params_.gravity;
     });
     to_rows(trial_v_, row_change_);
-    const LinearStep step = linear_step(held);
+    const LinearStep step = linear_step(constrained);
     contact_forces_.fit_limits(x_);
     newton_.move_along(step, contact_forces_, row_change_);
 }
 
-void ImplicitStep::balance(const HeldVertices& held, ImplicitReport& report) {
-    const BalanceReport balance = newton_.solve(linear_step(held), contact_forces_);
+void ImplicitStep::balance(const ConstrainedVertices& constrained, ImplicitReport& report) {
+    const BalanceReport balance = newton_.solve(linear_step(constrained), contact_forces_);
     report.cg_iterations += balance.cg_iterations;
     report.contact_rounds += balance.rounds;
     report.residual = balance.imbalance / std::max(scale_, std::numeric_limits<double>::min());
@@ -278,13 +281,13 @@ void ImplicitStep::find_residual() {
 
 /// Takes the guess off the residual and makes the rows of held vertices the identity. Returns the
 /// norm of the right-hand side: of what is to be balanced when only held vertices have moved.
-double ImplicitStep::eliminate_held(const HeldVertices& held) {
+double ImplicitStep::eliminate_constrained(const ConstrainedVertices& constrained) {
     const auto rows = forces_.assembler().row_of_vertex();
     std::vector<Vec3>& right = row_right_;
     right = row_residual_;
     parallel_for(row_residual_.size(), [&](std::size_t r) { row_residual_[r] -= row_product_[r]; });
-    for (std::size_t v = 0; v < held.flags.size(); ++v) {
-        if (held.flags[v] == 0) {
+    for (std::size_t v = 0; v < constrained.flags.size(); ++v) {
+        if (constrained.flags[v] == 0) {
             continue;
         }
         const auto r = static_cast<std::size_t>(rows[v]);
@@ -302,8 +305,8 @@ double ImplicitStep::eliminate_held(const HeldVertices& held) {
         matrix_.blocks[static_cast<std::size_t>(matrix_.diagonal[r])] =
             masses_[v] * Mat3::Identity();
     }
-    for (std::size_t v = 0; v < held.flags.size(); ++v) {
-        if (held.flags[v] != 0) { // after all moves: a held neighbour must not disturb it
+    for (std::size_t v = 0; v < constrained.flags.size(); ++v) {
+        if (constrained.flags[v] != 0) { // after all moves: a held neighbour must not disturb it
             const auto r = static_cast<std::size_t>(rows[v]);
             right[r].setZero();
             row_residual_[r].setZero();
@@ -312,13 +315,12 @@ double ImplicitStep::eliminate_held(const HeldVertices& held) {
     return std::sqrt(dot(right, right));
 }
 
-/// Length in (0, 1] of the change, halved until the slope of the incremental potential along it,
-/// which is change . gradient, is no more than a share of its (negative) start.
+/// Alpha in (0, 1] of the change, halved until the slope of the incremental potential along it,
+/// which is change . gradient, has fallen far enough from its (negative) start.
 double ImplicitStep::line_search(std::span<const Vec3> from, double slope_start) {
-    double length = 1.0;
-    for (int i = 0; i < k_most_halvings; ++i, length *= 0.5) {
-        parallel_for(v_.size(),
-                     [&](std::size_t k) { trial_v_[k] = from[k] + length * change_[k]; });
+    const double enough = k_slope_fraction * std::abs(slope_start);
+    return backtrack(1.0, k_most_halvings, [&](double alpha) {
+        parallel_for(v_.size(), [&](std::size_t k) { trial_v_[k] = from[k] + alpha * change_[k]; });
         move_to(trial_v_, trial_x_);
         forces_.forces_only(trial_x_, trial_v_, force_);
         contact_forces_.add_forces(trial_x_, force_);
@@ -327,11 +329,8 @@ double ImplicitStep::line_search(std::span<const Vec3> from, double slope_start)
                 force_[k] + masses_[k] * params_.gravity - mass_damping_[k] * trial_v_[k];
             return change_[k].dot(masses_[k] * (trial_v_[k] - v_base_[k]) - beta_ * f);
         });
-        if (slope <= k_slope_share * std::abs(slope_start)) {
-            return length;
-        }
-    }
-    return length;
+        return slope <= enough;
+    });
 }
 
 void ImplicitStep::move_to(std::span<const Vec3> velocities, std::span<Vec3> positions) const {

@@ -2,16 +2,11 @@
 
 #include "scene/params.h"
 #include "state/world.h"
+#include "step/constrained_vertices.h"
 #include "step/contact_newton.h"
 #include "step/force_system.h"
 
 namespace weft {
-
-/// Vertices whose motion is prescribed in a substep.
-struct HeldVertices {
-    std::vector<char> flags;   ///< #V; 1 = held
-    std::vector<Vec3> targets; ///< #V; position at the end of the substep, m; of held vertices only
-};
 
 /// What one implicit step did.
 struct ImplicitReport {
@@ -46,12 +41,12 @@ public:
     /// Takes up what the cloths have become, with the vertices' masses. Everything is then as if
     /// made of the world as it is now.
     /// @param changes of each cloth, since the last call or the construction
-    void adapt(const World& world, std::span<const ClothChanges> changes);
+    void remesh(const World& world, std::span<const ClothChanges> changes);
 
     /// Position and velocity at the end of a substep of length dt (s) with the given contacts; the
     /// world is not changed. Contacts receive what they carried.
     ImplicitReport solve(const World& world,
-                         const HeldVertices& held,
+                         const ConstrainedVertices& constrained,
                          double dt,
                          std::vector<Vec3>& end_positions,
                          std::vector<Vec3>& end_velocities,
@@ -60,7 +55,7 @@ public:
     /// The same substep from where the last call left it, with contacts appended to its list. Adds
     /// to the report.
     void solve_again(const World& world,
-                     const HeldVertices& held,
+                     const ConstrainedVertices& constrained,
                      std::vector<Vec3>& end_positions,
                      std::vector<Vec3>& end_velocities,
                      std::span<Contact> contacts,
@@ -69,23 +64,24 @@ public:
 private:
     void resize(const World& world);
     void start(const World& world, double dt);
-    void let_rigids_fly(const World& world, double dt);
-    void bring_back_rigids(const World& world,
-                           std::span<Vec3> end_positions,
-                           std::span<Vec3> end_velocities) const;
+    void predict_rigids(const World& world, double dt);
+    void project_rigids(const World& world,
+                        std::span<Vec3> end_positions,
+                        std::span<Vec3> end_velocities) const;
     void finish(const World& world,
-                const HeldVertices& held,
+                const ConstrainedVertices& constrained,
                 std::vector<Vec3>& end_positions,
                 std::vector<Vec3>& end_velocities,
                 std::span<Contact> contacts,
                 ImplicitReport& report) const;
-    bool newton_iteration(const HeldVertices& held, bool is_first, ImplicitReport& report);
-    void linearise(const HeldVertices& held, bool is_first, ImplicitReport& report);
-    void balance(const HeldVertices& held, ImplicitReport& report);
-    void fall(const HeldVertices& held);
+    bool
+    newton_iteration(const ConstrainedVertices& constrained, bool is_first, ImplicitReport& report);
+    void linearise(const ConstrainedVertices& constrained, bool is_first, ImplicitReport& report);
+    void balance(const ConstrainedVertices& constrained, ImplicitReport& report);
+    void predict_ballistic(const ConstrainedVertices& constrained);
     void find_residual();
-    double eliminate_held(const HeldVertices& held);
-    LinearStep linear_step(const HeldVertices& held);
+    double eliminate_constrained(const ConstrainedVertices& constrained);
+    LinearStep linear_step(const ConstrainedVertices& constrained);
     double line_search(std::span<const Vec3> from, double slope_start);
     void move_to(std::span<const Vec3> velocities, std::span<Vec3> positions) const;
     void to_rows(std::span<const Vec3> by_vertex, std::span<Vec3> by_row) const;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "start/make_adaptive.h"
 #include "validation/experiments.h"
 #include "validation/motion.h"
 
@@ -98,8 +97,9 @@ Swing swing(const Strip& strip, bool is_adaptive) {
             end.push_back(i);
         }
     }
-    make_adaptive(world);
-    Stepper stepper(world, scene.scene, scene.contact);
+    const Prepared start(world, scene.scene, scene.contact);
+    world = start.world();
+    Stepper stepper(start);
     Swing result;
     result.least_angle = least_rest_angle(world.cloths[0]) / k_degree;
     std::vector<double> heights;

@@ -77,7 +77,7 @@ double greatest_return(World world, int substeps, int newton, const Vec3& gravit
     space.fps = k_frame_rate * substeps; // a frame is a substep
     space.gravity = gravity;
     space.newton = newton;
-    Stepper stepper(world, space, {});
+    Stepper stepper({world, space, {}});
     const double start = energy(world, gravity);
     double least = start;
     double greatest = 0.0;

@@ -87,7 +87,7 @@ Change change_in(const Meeting& meeting, const SheetMesh& mesh) {
     space.gravity.setZero();
     space.newton = meeting.newton;
     space.solver_tolerance = 1e-13;
-    Stepper stepper(world, space, {});
+    Stepper stepper({world, space, {}});
     const Vec3 linear = linear_momentum(world);
     const double speeds = speed_sum(world);
     const double moments = moment_sum(world);

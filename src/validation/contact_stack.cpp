@@ -89,7 +89,7 @@ ValidationRow gap_row(std::string what, double gap, const Repeat& repeat) {
 
 void add_rows(ValidationRows& rows, const Repeat& repeat) {
     World world = stacked_sheets(repeat.mesh);
-    Stepper stepper(world, contact_space(repeat.substeps), {});
+    Stepper stepper({world, contact_space(repeat.substeps), {}});
     double restless = 0.0; // the last time with more than 1e-6 J
     double greatest = 0.0;
     while (world.time < k_end - 1e-9) {

@@ -82,7 +82,7 @@ double tension_ratio(const Repeat& repeat) {
 
     SceneParams space = contact_space(repeat.substeps);
     space.gravity.setZero();
-    Stepper stepper(world, space, {});
+    Stepper stepper({world, space, {}});
     double sum = 0.0;
     for (int frame = 1; frame <= k_frames; ++frame) {
         stepper.advance_frame(world, {});

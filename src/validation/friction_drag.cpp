@@ -59,7 +59,7 @@ void add_belt_rows(ValidationRows& rows, const Repeat& repeat) {
     Obstacle& belt = add_body(world, "belt", plane_mesh(Vec3(20.0, 0.0, 20.0)), k_belt_friction);
     belt.params.motion = {{}, {.t = 10.0, .translate = 10.0 * k_belt_speed * Vec3::UnitX()}};
     const double start = mean_position(world, cloth).x();
-    Stepper stepper(world, contact_space(repeat.substeps), {});
+    Stepper stepper({world, contact_space(repeat.substeps), {}});
     const auto lag = [&] {
         return start + k_belt_speed * world.time - mean_position(world, cloth).x();
     };
@@ -111,7 +111,7 @@ void add_sphere_rows(ValidationRows& rows, const Repeat& repeat) {
     Obstacle& sphere = add_body(world, "sphere", sphere_mesh(k_radius), 0.5);
     const double degrees = 2.0 * k_turn * 180.0 / std::numbers::pi;
     sphere.params.motion = {{.t = 1.0}, {.t = 3.0, .rotate_deg = degrees * Vec3::UnitY()}};
-    Stepper stepper(world, contact_space(repeat.substeps), {});
+    Stepper stepper({world, contact_space(repeat.substeps), {}});
     run(stepper, world, 2.0);
     const std::vector<Vec3> before = world.positions;
     run(stepper, world, 1.0);

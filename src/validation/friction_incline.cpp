@@ -64,7 +64,7 @@ Slide slide_for_a_second(const Incline& incline, const Repeat& repeat) {
               lying(Vec2(k_side, k_side), Vec3(0.03, k_thickness, 0.02)));
     add_ground(world, incline);
     const Vec3 start = mean_position(world, world.cloths[0]);
-    Stepper stepper(world, contact_space(repeat.substeps, incline.angle), {});
+    Stepper stepper({world, contact_space(repeat.substeps, incline.angle), {}});
     for (int frame = 0; frame < k_frames; ++frame) {
         stepper.advance_frame(world, {});
     }

@@ -75,7 +75,7 @@ double slip_onset(double friction, const Repeat& repeat) {
 
     SceneParams space = contact_space(repeat.substeps);
     space.gravity.setZero();
-    Stepper stepper(world, space, {});
+    Stepper stepper({world, space, {}});
     const auto foot = static_cast<std::size_t>(strip.free_end().front());
     double stood = std::numeric_limits<double>::quiet_NaN();
     for (int frame = 1; frame <= k_frames; ++frame) {

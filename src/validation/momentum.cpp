@@ -72,7 +72,7 @@ Scene colliding_scene(Integrator integrator) {
 ValidationRow collision_row(Integrator integrator) {
     const Scene scene = colliding_scene(integrator);
     World world = FreeMotion(scene).world;
-    Stepper stepper(world, scene.scene, scene.contact);
+    Stepper stepper({world, scene.scene, scene.contact});
     const Vec3 before = linear_momentum(world);
     const double scale = speed_sum(world);
     int contacts = 0;

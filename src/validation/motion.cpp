@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "forces/cloth_forces.h"
-#include "step/held.h"
+#include "step/constrained_vertices.h"
 
 #include <limits>
 
@@ -20,8 +20,8 @@ FreeMotion::FreeMotion(const Scene& scene)
     : world(build_world(scene, refuse_warning)), params_(scene.scene), implicit_(world, params_) {}
 
 void FreeMotion::step(double dt) {
-    find_held(world, world.time + dt, held_);
-    if (!implicit_.solve(world, held_, dt, end_positions_, end_velocities_).converged) {
+    find_constrained(world, world.time + dt, constrained_);
+    if (!implicit_.solve(world, constrained_, dt, end_positions_, end_velocities_).converged) {
         throw Error(ExitCode::Diverged, fmt::format("no convergence at t = {:.6g} s", world.time));
     }
     std::swap(world.previous_positions, world.positions);

@@ -23,7 +23,7 @@ public:
 private:
     SceneParams params_;
     ImplicitStep implicit_;
-    HeldVertices held_;
+    ConstrainedVertices constrained_;
     std::vector<Vec3> end_positions_, end_velocities_;
 };
 

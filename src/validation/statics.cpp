@@ -1,6 +1,7 @@
 #include "validation/statics.h"
 
 #include "base/error.h"
+#include "base/line_search.h"
 #include "step/force_system.h"
 
 #include <Eigen/SparseCholesky>
@@ -12,9 +13,6 @@ namespace weft {
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
-
-/// A full change is taken when the slope of the potential along it has fallen to this share.
-constexpr double k_slope_share = 0.5;
 
 Eigen::VectorXd flatten(std::span<const Vec3> values) {
     return Eigen::Map<const Eigen::VectorXd>(values.data()->data(),
@@ -218,17 +216,18 @@ settle(World& world, const SceneParams& params, const StaticLoad& load, const Se
         const Sparse matrix = system.stiffness(world.positions, diagonal);
         const Eigen::VectorXd change = solver.solve(matrix, residual, nothing);
         const double slope = residual.dot(change);
-        double length = std::min(1.0, how.max_step / largest_move(change));
-        for (int cut = 0; cut < 30; ++cut, length *= 0.5) {
-            const std::vector<Vec3> x = moved(world.positions, change, length);
+        const double longest = std::min(1.0, how.max_step / largest_move(change));
+        const double alpha = backtrack(longest, 30, [&](double trial) {
+            const std::vector<Vec3> x = moved(world.positions, change, trial);
             const Eigen::VectorXd force = unbalanced(x);
-            if (-force.dot(change) <= k_slope_share * slope) {
-                world.positions = x;
-                residual = force;
-                break;
+            if (-force.dot(change) > k_slope_fraction * slope) {
+                return false;
             }
-        }
-        mobility *= length == 1.0 ? 4.0 : length > 0.2 ? 1.0 : 0.25;
+            world.positions = x;
+            residual = force;
+            return true;
+        });
+        mobility *= alpha == 1.0 ? 4.0 : alpha > 0.2 ? 1.0 : 0.25;
     }
     throw Error(ExitCode::Diverged,
                 fmt::format("no equilibrium after {} iterations: unbalanced force {:.3g} of the "

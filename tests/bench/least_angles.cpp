@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "start/make_adaptive.h"
+#include "remesh/make_adaptive.h"
 
 namespace weft {
 

@@ -65,12 +65,12 @@ void adapt(benchmark::State& bench, double window) {
     const TwoMeshes meshes(static_cast<int>(bench.range(0)), window);
     set_thread_count(1);
     ForceSystem system(meshes.before, {});
-    system.adapt(meshes.after, meshes.there);
-    system.adapt(meshes.before, meshes.back);
+    system.remesh(meshes.after, meshes.there);
+    system.remesh(meshes.before, meshes.back);
     bool is_there = false;
     for (auto _ : bench) {
-        is_there ? system.adapt(meshes.before, meshes.back)
-                 : system.adapt(meshes.after, meshes.there);
+        is_there ? system.remesh(meshes.before, meshes.back)
+                 : system.remesh(meshes.after, meshes.there);
         is_there = !is_there;
     }
     bench.counters["changed"] = meshes.changed_share();
@@ -135,7 +135,7 @@ void adapt_to_moving_band(benchmark::State& bench) {
         changed += static_cast<double>(changes[0].triangles.size()) /
                    static_cast<double>(world.triangle_count());
         const Stopwatch watch;
-        system.adapt(world, changes);
+        system.remesh(world, changes);
         bench.SetIterationTime(watch.seconds());
     }
     bench.counters["changed"] = changed / static_cast<double>(bench.iterations());

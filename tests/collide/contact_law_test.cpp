@@ -64,8 +64,8 @@ TEST(FrictionLaw, ForceIsTheSlopeOfItsEnergyAndTangentThatOfItsForce) {
 
 TEST(FrictionLaw, CautiousTangentLiesAboveTheEnergyEverywhere) {
     for (const Vec3& u : displacements()) {
-        const Mat3 above = k_hold.cautious_tangent(u, 1.0);
-        EXPECT_LT((k_hold.cautious_tangent(u, 0.0) - k_hold.tangent(u)).norm(), 1e-12);
+        const Mat3 above = k_hold.damped_tangent(u, 1.0);
+        EXPECT_LT((k_hold.damped_tangent(u, 0.0) - k_hold.tangent(u)).norm(), 1e-12);
         for (const Vec3& w : displacements()) {
             const Vec3 d = w - u;
             const double bound = k_hold.energy(u) - k_hold.force(u).dot(d) + 0.5 * d.dot(above * d);

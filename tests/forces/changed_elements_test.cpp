@@ -88,7 +88,7 @@ template <typename Make> void expect_same_as_fresh(BendModel model, const Make& 
             const std::vector<Index> before(updated.nodes().begin(), updated.nodes().end());
             const ClothChanges changes = sheet.change(8, round < 6 ? 0.8 : 0.1);
 
-            const std::vector<Index> slots = updated.update(sheet.cloth(), changes);
+            const std::vector<Index> slots = updated.remesh(sheet.cloth(), changes);
 
             const auto fresh = make(sheet.cloth());
             ASSERT_EQ(spoken(updated, sheet), spoken(fresh, sheet));
@@ -131,7 +131,7 @@ TEST(ChangedElements, FewAreTouchedByFewChanges) {
     const ClothChanges changes = sheet.change(1, 1.0);
 
     EXPECT_LE(changes.triangles.size(), 3U);
-    EXPECT_LE(bending.update(sheet.cloth(), changes).size(), 8U); // a flip: two and six around them
+    EXPECT_LE(bending.remesh(sheet.cloth(), changes).size(), 8U); // a flip: two and six around them
 }
 
 TEST(ChangedElements, AirForgetsWhereItWasLinearised) {
@@ -140,7 +140,7 @@ TEST(ChangedElements, AirForgetsWhereItWasLinearised) {
     AirElements updated(sheet.cloth(), scene);
     updated.linearise_at(std::vector<Vec3>(sheet.points().size(), Vec3(1, 2, 3)));
 
-    updated.update(sheet.cloth(), sheet.change(8));
+    updated.remesh(sheet.cloth(), sheet.change(8));
 
     EXPECT_EQ(spoken(updated, sheet), spoken(AirElements(sheet.cloth(), scene), sheet));
 }

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "start/make_adaptive.h"
+#include "remesh/make_adaptive.h"
 
 namespace weft {
 namespace {

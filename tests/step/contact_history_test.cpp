@@ -28,7 +28,7 @@ TEST(Stepper, SheetsThatCollideKeepTheirMomentum) {
     upper.velocity = Vec3(0.2, -1.0, 0.0);
     scene.cloths.push_back(upper);
     World world = test::build_quietly(scene);
-    Stepper stepper(world, scene.scene, scene.contact);
+    Stepper stepper({world, scene.scene, scene.contact});
     const Vec3 before = test::momentum(world); // 0.008 kg at 1 m/s
     int contacts = 0;
 
@@ -49,7 +49,7 @@ TEST(Stepper, SheetThatFallsFlatComesToRestAtOnceUnderBothIntegrators) {
         scene.obstacles.push_back(
             {.name = "floor", .shape = Shape::Plane, .size = Vec3(2.0, 1.0, 2.0)});
         World world = test::build_quietly(scene);
-        Stepper stepper(world, scene.scene, scene.contact);
+        Stepper stepper({world, scene.scene, scene.contact});
 
         for (int frame = 0; frame < 10; ++frame) { // it lands in the fifth
             stepper.advance_frame(world, nullptr);

@@ -29,7 +29,7 @@ struct Stretches {
 /// Of the sides and diagonals after some frames.
 Stretches stretches_after(const Scene& scene, int frames) {
     World world = build_world(scene, [](const std::string&) {});
-    Stepper stepper(world, scene.scene, scene.contact);
+    Stepper stepper({world, scene.scene, scene.contact});
     for (int i = 0; i < frames; ++i) {
         stepper.advance_frame(world, nullptr);
     }

@@ -129,7 +129,7 @@ TEST(ForceSystem, AfterAnyChangesIsTheOneMadeAfresh) {
             const std::array<int, 3> edits{round % 4, round % 3 == 0 ? 0 : 9, 5};
             const auto changes = changing.change(edits, growth);
 
-            system.adapt(world, changes);
+            system.remesh(world, changes);
 
             ForceSystem fresh(world, k_windy);
             expect_same_bits(assembled(system, world), assembled(fresh, world));
@@ -143,7 +143,7 @@ TEST(ForceSystem, ChangesWithoutAnEvaluationBetweenAreAllTakenUp) {
     ForceSystem system(world, k_windy);
     const std::array<int, 2> edits{4, 9};
     for (int round = 0; round < 10; ++round) {
-        system.adapt(world, changing.change(edits, 0.5));
+        system.remesh(world, changing.change(edits, 0.5));
     }
 
     ForceSystem fresh(world, k_windy);
@@ -155,7 +155,7 @@ TEST(ForceSystem, WithoutChangesStaysWhatItWas) {
     ForceSystem system(changing.world(), k_windy);
     const Assembled before = assembled(system, changing.world());
 
-    system.adapt(changing.world(), std::vector<ClothChanges>(2));
+    system.remesh(changing.world(), std::vector<ClothChanges>(2));
 
     expect_same_bits(assembled(system, changing.world()), before);
 }
@@ -167,7 +167,7 @@ TEST(ForceSystem, IsTheSameForAnyNumberOfThreadsAfterChanges) {
         ForceSystem system(changing.world(), k_windy);
         for (int round = 0; round < 5; ++round) {
             const std::array<int, 2> edits{9, 9};
-            system.adapt(changing.world(), changing.change(edits, 0.6));
+            system.remesh(changing.world(), changing.change(edits, 0.6));
         }
         Assembled result = assembled(system, changing.world());
         set_thread_count(0);
@@ -185,13 +185,13 @@ TEST(ForceSystem, RefinedAndCoarsenedIsTheOneMadeAfresh) {
     for (int round = 0; round < 30; ++round) {
         const auto changes = refined.change(6, round < 15 ? 0.8 : 0.3);
 
-        system.adapt(world, changes);
+        system.remesh(world, changes);
 
         ForceSystem fresh(world, k_windy);
         expect_same_bits(assembled(system, world), assembled(fresh, world));
     }
     for (int round = 0; round < 500 && !refined.is_imported(); ++round) {
-        system.adapt(world, refined.change(100, 0.0));
+        system.remesh(world, refined.change(100, 0.0));
     }
 
     ASSERT_TRUE(refined.is_imported());

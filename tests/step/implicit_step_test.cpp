@@ -1,6 +1,6 @@
 #include "base/parallel.h"
 #include "forces/cloth_forces.h"
-#include "step/held.h"
+#include "step/constrained_vertices.h"
 #include "step/implicit_step.h"
 #include "support/changing_world.h"
 #include "support/contact_world.h"
@@ -17,11 +17,11 @@ namespace {
 /// Advances a world without contact.
 void run(World& world, const SceneParams& params, double dt, int substeps) {
     ImplicitStep step(world, params);
-    HeldVertices held;
+    ConstrainedVertices constrained;
     std::vector<Vec3> positions, velocities;
     for (int i = 0; i < substeps; ++i) {
-        find_held(world, world.time + dt, held);
-        ASSERT_TRUE(step.solve(world, held, dt, positions, velocities).converged);
+        find_constrained(world, world.time + dt, constrained);
+        ASSERT_TRUE(step.solve(world, constrained, dt, positions, velocities).converged);
         std::swap(world.previous_positions, world.positions);
         std::swap(world.previous_velocities, world.velocities);
         world.positions = positions;
@@ -152,22 +152,23 @@ TEST(ImplicitStep, AfterChangesOfTheMeshStepsAsOneMadeAfresh) {
     ImplicitStep adapted(world, params);
     for (int round = 0; round < 6; ++round) {
         const auto solve = [&](ImplicitStep& step) {
-            HeldVertices held;
-            find_held(world, world.time + 0.01, held);
+            ConstrainedVertices constrained;
+            find_constrained(world, world.time + 0.01, constrained);
             Contact contact{.vertices = {0, 1, 2, world.cloths[1].first_vertex},
                             .weights = {-0.2, -0.3, -0.5, 1.0},
                             .normal = Vec3::UnitY(),
                             .thickness = 0.2};
             std::vector<Vec3> positions, velocities;
             std::span<Contact> contacts(&contact, static_cast<std::size_t>(round % 2));
-            EXPECT_TRUE(step.solve(world, held, 0.01, positions, velocities, contacts).converged);
+            EXPECT_TRUE(
+                step.solve(world, constrained, 0.01, positions, velocities, contacts).converged);
             positions.insert(positions.end(), velocities.begin(), velocities.end());
             return positions;
         };
         solve(adapted);
         const std::array<int, 2> edits{6, 6};
 
-        adapted.adapt(world, changing.change(edits, round < 3 ? 0.9 : 0.2));
+        adapted.remesh(world, changing.change(edits, round < 3 ? 0.9 : 0.2));
 
         ImplicitStep fresh(world, params);
         ASSERT_TRUE(solve(adapted) == solve(fresh));

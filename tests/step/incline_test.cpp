@@ -40,7 +40,7 @@ struct Slide {
 Slide slide_for_a_second(const Scene& scene) {
     World world = test::build_quietly(scene);
     const std::vector<Vec3> start = world.positions;
-    Stepper stepper(world, scene.scene, scene.contact);
+    Stepper stepper({world, scene.scene, scene.contact});
     for (int frame = 0; frame < 20; ++frame) {
         stepper.advance_frame(world, {});
     }

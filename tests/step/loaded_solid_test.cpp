@@ -55,7 +55,7 @@ double least_stretch(const World& world) {
 TEST(LoadedSolid, KeepsItsLimitHoweverSoftUnderAHeavyBody) {
     const Scene scene = read_scene_text(k_scene, "a.toml", ".");
     World world = build_world(scene, [](const std::string&) {});
-    Stepper stepper(world, scene.scene, scene.contact);
+    Stepper stepper({world, scene.scene, scene.contact});
     for (int i = 0; i < 25; ++i) {
         EXPECT_EQ(stepper.advance_frame(world, nullptr)->contact.unresolved, 0);
     }

@@ -26,7 +26,7 @@ TEST(Pinch, IsCountedWhereObstaclesLeaveNoRoomAndHealsWhenTheyPart) {
     Scene scene = test::scene_of(sheet);
     scene.obstacles = {closing_box("above", 1.0), closing_box("below", -1.0)};
     World world = test::build_quietly(scene);
-    Stepper stepper(world, scene.scene, scene.contact);
+    Stepper stepper({world, scene.scene, scene.contact});
 
     int greatest = 0;
     double fastest = 0.0;

@@ -42,7 +42,7 @@ ObstacleParams plane(double tilt_deg = 0.0) {
 /// A scene that runs and is looked at after every substep.
 struct CheckedRun {
     explicit CheckedRun(const Scene& s)
-        : scene(s), world(build_quietly(s)), stepper(world, s.scene, s.contact) {
+        : scene(s), world(build_quietly(s)), stepper({world, s.scene, s.contact}) {
         stepper.verify_substeps(world);
     }
     void advance(int frames) {

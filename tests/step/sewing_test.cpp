@@ -54,7 +54,7 @@ TEST(Sewing, ClosesAndWeldsBordersOfEqualAndUnequalFineness) {
     for (const int cells : {6, 8}) {
         const Scene scene = strip(cells);
         World world = build_quietly(scene);
-        Stepper stepper(world, scene.scene, scene.contact);
+        Stepper stepper({world, scene.scene, scene.contact});
 
         advance(world, stepper, 20); // 0.8 s
 
@@ -69,12 +69,12 @@ TEST(Sewing, ClosesAndWeldsBordersOfEqualAndUnequalFineness) {
 TEST(Sewing, KeepsAWeldedSeamShutUnderLoad) {
     const Scene scene = strip(6, "");
     World world = build_quietly(scene);
-    Stepper stepper(world, scene.scene, scene.contact);
+    Stepper stepper({world, scene.scene, scene.contact});
     advance(world, stepper, 15);
     ASSERT_EQ(measure_attachments(world).welded, 7);
     SceneParams pulled = scene.scene;
     pulled.gravity = {9.81 * 100.0, 0.0, 0.0}; // 0.3 m of 0.15 kg/m^2: 44 N/m across the seam
-    Stepper loaded(world, pulled, scene.contact);
+    Stepper loaded({world, pulled, scene.contact});
 
     advance(world, loaded, 25);
 
@@ -91,7 +91,7 @@ TEST(Sewing, KeepsMomentum) {
     scene.contact.enabled = false;
     scene.scene.solver_tolerance = 1e-10;
     World world = build_quietly(scene);
-    Stepper stepper(world, scene.scene, scene.contact);
+    Stepper stepper({world, scene.scene, scene.contact});
 
     advance(world, stepper, 6); // while it closes
 
@@ -109,12 +109,12 @@ TEST(Sewing, GoesOnFromAnyFrameToTheSameBits) {
     const Scene scene = strip(8);
     World world = build_quietly(scene);
     const World start = world;
-    Stepper stepper(world, scene.scene, scene.contact);
+    Stepper stepper({world, scene.scene, scene.contact});
     advance(world, stepper, 8);
     World resumed = world;
     advance(world, stepper, 6); // welds on the way
 
-    Stepper fresh(start, scene.scene, scene.contact);
+    Stepper fresh({start, scene.scene, scene.contact});
     advance(resumed, fresh, 6);
 
     EXPECT_EQ(state_hash(resumed), state_hash(world));
@@ -151,7 +151,7 @@ close = 0.1
 )",
                                   "x.toml", ".");
     World world = build_quietly(scene);
-    Stepper stepper(world, scene.scene, scene.contact);
+    Stepper stepper({world, scene.scene, scene.contact});
 
     advance(world, stepper, 25);
 

@@ -28,7 +28,7 @@ TEST(Verify, FindsCrossingsThatAreGoneAtTheFrame) {
     Scene scene = sheet_about_a_rod();
     scene.contact.enabled = false;
     World world = test::build_quietly(scene);
-    Stepper stepper(world, scene.scene, scene.contact);
+    Stepper stepper({world, scene.scene, scene.contact});
     stepper.verify_substeps(world);
 
     const FrameReport report = *stepper.advance_frame(world, nullptr);
@@ -51,7 +51,7 @@ TEST(Verify, TellsOfEachPairOnce) {
     Scene scene = sheet_about_a_rod();
     scene.contact.enabled = false;
     World world = test::build_quietly(scene);
-    Stepper stepper(world, scene.scene, scene.contact);
+    Stepper stepper({world, scene.scene, scene.contact});
     stepper.verify_substeps(world);
 
     const FrameReport report = *stepper.advance_frame(world, nullptr);
@@ -65,7 +65,7 @@ TEST(Verify, TellsOfEachPairOnce) {
 TEST(Verify, FindsNothingWhereContactWorks) {
     const Scene scene = sheet_about_a_rod();
     World world = test::build_quietly(scene);
-    Stepper stepper(world, scene.scene, scene.contact);
+    Stepper stepper({world, scene.scene, scene.contact});
     stepper.verify_substeps(world);
 
     const FrameReport report = *stepper.advance_frame(world, nullptr);
@@ -81,8 +81,8 @@ TEST(Verify, ChangesNothingThatIsSimulated) {
     const Scene scene = sheet_about_a_rod();
     World plain = test::build_quietly(scene);
     World verified = plain;
-    Stepper stepper(plain, scene.scene, scene.contact);
-    Stepper verifying(verified, scene.scene, scene.contact);
+    Stepper stepper({plain, scene.scene, scene.contact});
+    Stepper verifying({verified, scene.scene, scene.contact});
     verifying.verify_substeps(verified);
 
     const FrameReport without = *stepper.advance_frame(plain, nullptr);

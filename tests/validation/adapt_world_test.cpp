@@ -1,4 +1,4 @@
-#include "step/held.h"
+#include "step/constrained_vertices.h"
 #include "step/implicit_step.h"
 #include "support/worlds.h"
 
@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "remesh/adapt_world.h"
-#include "start/make_adaptive.h"
+#include "remesh/make_adaptive.h"
 #include "validation/motion.h"
 
 namespace weft {
@@ -45,7 +45,7 @@ public:
         if (!report.changed) {
             return;
         }
-        implicit_->adapt(world, changes_);
+        implicit_->remesh(world, changes_);
         std::vector<Index> from(world.vertex_count());
         std::iota(from.begin(), from.end(), 0);
         for (const ClothChanges::Vertex& vertex : changes_[0].vertices) {
@@ -59,9 +59,9 @@ public:
 
 private:
     void step() {
-        find_held(world, world.time + k_dt, held_);
-        ASSERT_TRUE(
-            implicit_->solve(world, held_, k_dt, end_positions_, end_velocities_, {}).converged);
+        find_constrained(world, world.time + k_dt, constrained_);
+        ASSERT_TRUE(implicit_->solve(world, constrained_, k_dt, end_positions_, end_velocities_, {})
+                        .converged);
         world.previous_positions = world.positions;
         world.previous_velocities = world.velocities;
         world.history_dt = is_two_step_ ? k_dt : 0.0;
@@ -74,7 +74,7 @@ private:
     std::optional<ImplicitStep> implicit_;
     std::optional<WorldAdaptation> adaptation_;
     std::optional<ContactSolver> contact_;
-    HeldVertices held_;
+    ConstrainedVertices constrained_;
     std::vector<Vec3> end_positions_, end_velocities_;
     std::vector<ClothChanges> changes_;
 };

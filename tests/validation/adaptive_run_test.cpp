@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "start/make_adaptive.h"
 #include "validation/motion.h"
 
 namespace weft {
@@ -16,14 +15,12 @@ namespace {
 
 /// A world that adapts, and what advances it.
 struct AdaptiveWorld {
-    explicit AdaptiveWorld(const Scene& scene) : world(test::build_quietly(scene)), start(world) {
-        make_adaptive(world);
-        make_adaptive(start);
-        stepper.emplace(world, scene.scene, scene.contact);
-    }
+    explicit AdaptiveWorld(const Scene& scene)
+        : start(test::build_quietly(scene), scene.scene, scene.contact), world(start.world()),
+          stepper(start) {}
     void advance(int frames) {
         for (int i = 0; i < frames; ++i) {
-            const FrameReport report = *stepper->advance_frame(world, nullptr);
+            const FrameReport report = *stepper.advance_frame(world, nullptr);
             refined += report.refined;
             coarsened += report.coarsened;
             crossings += report.crossings;
@@ -32,15 +29,16 @@ struct AdaptiveWorld {
     }
     const Cloth& cloth() const { return world.cloths[0]; }
 
-    World world, start;
-    std::optional<Stepper> stepper;
+    Prepared start;
+    World world;
+    Stepper stepper;
     int refined = 0, coarsened = 0, crossings = 0;
 };
 
 void expect_imported_mesh(const AdaptiveWorld& run) {
     for (std::size_t c = 0; c < run.world.cloths.size(); ++c) {
         const Cloth& now = run.world.cloths[c];
-        const Cloth& imported = run.start.cloths[c];
+        const Cloth& imported = run.start.world().cloths[c];
         EXPECT_EQ(now.triangles, imported.triangles);
         EXPECT_EQ(now.rest_areas, imported.rest_areas);
         ASSERT_EQ(now.rest.size(), imported.rest.size());
@@ -50,8 +48,8 @@ void expect_imported_mesh(const AdaptiveWorld& run) {
         }
         EXPECT_EQ(now.refinement.tolerance, 1.0);
     }
-    EXPECT_EQ(run.world.masses, run.start.masses);
-    EXPECT_EQ(run.world.pins.size(), run.start.pins.size());
+    EXPECT_EQ(run.world.masses, run.start.world().masses);
+    EXPECT_EQ(run.world.pins.size(), run.start.world().pins.size());
 }
 
 PinParams all_round() {
@@ -111,7 +109,7 @@ TEST(AdaptiveRun, TheMatrixTakesPartOfTheTimeOfAdaptation) {
     AdaptiveWorld run(sheet_over_sphere());
     StageSeconds seconds;
     while (run.world.frame < 20 && run.refined == 0) {
-        const FrameReport report = *run.stepper->advance_frame(run.world, nullptr);
+        const FrameReport report = *run.stepper.advance_frame(run.world, nullptr);
         run.refined += report.refined;
         seconds = report.seconds;
     }
@@ -140,14 +138,14 @@ TEST(AdaptiveRun, AFlatSheetLosesWhatWasRefinedByHand) {
     AdaptiveWorld run(drum());
     refine_by_hand(run.world, 0);
     refine_by_hand(run.world, 0);
-    ASSERT_GT(run.cloth().triangles.size(), 2 * run.start.cloths[0].triangles.size());
+    ASSERT_GT(run.cloth().triangles.size(), 2 * run.start.world().cloths[0].triangles.size());
 
     run.advance(10);
 
     EXPECT_EQ(run.refined, 0);
     expect_imported_mesh(run);
     for (std::size_t i = 0; i < run.world.vertex_count(); ++i) {
-        EXPECT_LT((run.world.positions[i] - run.start.positions[i]).norm(), 1e-12);
+        EXPECT_LT((run.world.positions[i] - run.start.world().positions[i]).norm(), 1e-12);
     }
 }
 
@@ -162,7 +160,7 @@ TEST(AdaptiveRun, ASheetThatComesToRestFlatHasItsImportedMeshAgain) {
     }
 
     run.advance(2);
-    EXPECT_GT(run.cloth().triangles.size(), run.start.cloths[0].triangles.size());
+    EXPECT_GT(run.cloth().triangles.size(), run.start.world().cloths[0].triangles.size());
     run.advance(40);
 
     EXPECT_EQ(run.refined, run.coarsened);
@@ -171,7 +169,7 @@ TEST(AdaptiveRun, ASheetThatComesToRestFlatHasItsImportedMeshAgain) {
 
 TEST(AdaptiveRun, CrossesNothingInAnySubstep) {
     AdaptiveWorld run(sheet_over_sphere());
-    run.stepper->verify_substeps(run.world);
+    run.stepper.verify_substeps(run.world);
 
     run.advance(9);
 
@@ -206,7 +204,7 @@ TEST(AdaptiveRun, GoesOnFromACheckpointBitForBit) {
         Checkpoint checkpoint;
         ASSERT_EQ(decode_checkpoint(bytes, checkpoint), "");
         restore(checkpoint, resumed.world);
-        EXPECT_GT(resumed.world.vertex_count(), resumed.start.vertex_count());
+        EXPECT_GT(resumed.world.vertex_count(), resumed.start.world().vertex_count());
         resumed.advance(2);
 
         EXPECT_EQ(state_hash(resumed.world), state_hash(straight.world));
@@ -229,7 +227,7 @@ TEST(AdaptiveRun, AStopTakesTheMeshBackToTheFramesStart) {
     run.world = straight;
     int asked = 0;
     const auto stop = [&] { return ++asked > 3; }; // after an adaptation
-    EXPECT_FALSE(run.stepper->advance_frame(run.world, stop));
+    EXPECT_FALSE(run.stepper.advance_frame(run.world, stop));
 
     EXPECT_EQ(state_hash(run.world), state_hash(before));
     EXPECT_EQ(run.cloth().triangles, before.cloths[0].triangles);
@@ -297,7 +295,7 @@ TEST(AdaptiveRun, SewnClothKeepsTheTrianglesAtItsSeams) {
 
     EXPECT_GT(run.refined, 20);
     for (std::size_t c = 0; c < 2; ++c) {
-        const Cloth& imported = run.start.cloths[c];
+        const Cloth& imported = run.start.world().cloths[c];
         const auto is_sewn = [&](Index v) { return v % 7 == (c == 0 ? 6 : 0); };
         for (std::size_t t = 0; t < imported.triangles.size(); ++t) {
             const Triangle& corners = imported.triangles[t];

@@ -1,4 +1,4 @@
-#include "step/rigid_step.h"
+#include "step/rigid_prediction.h"
 
 #include <Eigen/Geometry>
 
@@ -42,29 +42,29 @@ Mat3 turn_freely(const FourPoints& rest, const RigidMotion& motion, const Mat3& 
 
 } // namespace
 
-FreeFlight fly_freely(const FourPoints& rest,
-                      const FourPoints& positions,
-                      const FourPoints& velocities,
-                      double dt) {
+RigidPrediction predict_rigid(const FourPoints& rest,
+                              const FourPoints& positions,
+                              const FourPoints& velocities,
+                              double dt) {
     Pose pose = nearest_pose(rest, positions);
     const RigidMotion motion = motion_of(positions, velocities);
     pose.translation += dt * motion.velocity;
     if (!motion.angular_rate.isZero(0.0)) {
         pose.rotation = turn_freely(rest, motion, pose.rotation, dt);
     }
-    FreeFlight flight;
-    flight.positions = posed(rest, pose);
-    flight.velocities = rigid_velocities(flight.positions, motion);
-    return flight;
+    RigidPrediction prediction;
+    prediction.positions = posed(rest, pose);
+    prediction.velocities = rigid_velocities(prediction.positions, motion);
+    return prediction;
 }
 
-FreeFlight bring_back(const FourPoints& rest,
-                      const FreeFlight& flight,
-                      const FourPoints& positions,
-                      const FourPoints& velocities) {
-    FreeFlight end;
+RigidPrediction project_to_rigid(const FourPoints& rest,
+                                 const RigidPrediction& prediction,
+                                 const FourPoints& positions,
+                                 const FourPoints& velocities) {
+    RigidPrediction end;
     end.positions = posed(rest, nearest_pose(rest, positions));
-    end.velocities = rigid_velocities(end.positions, motion_of(flight.positions, velocities));
+    end.velocities = rigid_velocities(end.positions, motion_of(prediction.positions, velocities));
     return end;
 }
 

@@ -2,9 +2,10 @@
 
 #include "state/number_bodies.h"
 
+/// The two ways back: to the start of a frame that was stopped, and out of a tangle.
 namespace weft {
 
-/// What a world can be taken back to within a frame: all that substeps change.
+/// A state that a world can be taken back to within a frame: all that substeps change.
 class Snapshot {
 public:
     explicit Snapshot(const World& world)
@@ -42,5 +43,11 @@ private:
     std::vector<AttachedPair> attached_pairs_;
     std::vector<AttachedState> attached_states_;
 };
+
+/// Takes cloth that was pinched until it crossed apart by geometry, as at a start that overlaps
+/// (collide/untangle.h), where obstacles leave room again: without work done on it, velocities stay
+/// as they are. Nothing is changed when it does not come out whole.
+/// @return whether no pair crosses any more
+bool recover_from_crossings(World& world);
 
 } // namespace weft

@@ -8,8 +8,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "start/make_adaptive.h"
-
 namespace weft {
 
 namespace {
@@ -84,11 +82,11 @@ struct AdaptiveCreep {
 };
 
 AdaptiveCreep creep(const Scene& scene, bool adapts) {
-    World world = test::build_quietly(scene);
+    const Prepared prepared(test::build_quietly(scene), scene.scene, scene.contact);
+    World world = prepared.world();
     const std::vector<Vec3> start = world.positions;
     const auto imported = static_cast<std::size_t>(world.cloths[0].vertex_count);
-    make_adaptive(world);
-    Stepper stepper(world, scene.scene, scene.contact);
+    Stepper stepper(prepared);
     AdaptiveCreep result;
     for (int frame = 0; frame < k_frames; ++frame) {
         if (adapts && frame >= k_settled && world.cloths[0].refinement.vertices.empty()) {

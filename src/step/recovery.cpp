@@ -1,4 +1,4 @@
-#include "step/recover.h"
+#include "step/recovery.h"
 
 #include "base/parallel.h"
 #include "collide/untangle.h"

@@ -1,4 +1,4 @@
-#include "step/held.h"
+#include "step/constrained_vertices.h"
 
 #include "base/parallel.h"
 
@@ -6,14 +6,14 @@ namespace weft {
 
 namespace {
 
-/// A substep that ends this much (s) after a release still holds: times are sums of rounded shares.
+/// A substep that ends this much (s) after a release is still constrained: times are rounded sums.
 constexpr double k_release_slack = 1e-9;
 
 } // namespace
 
-void find_held(const World& world, double end_time, HeldVertices& held) {
-    held.flags.assign(world.vertex_count(), 0);
-    held.targets.assign(world.vertex_count(), Vec3::Zero());
+void find_constrained(const World& world, double end_time, ConstrainedVertices& constrained) {
+    constrained.flags.assign(world.vertex_count(), 0);
+    constrained.targets.assign(world.vertex_count(), Vec3::Zero());
     parallel_for(world.pins.size(), [&](std::size_t p) {
         const Pin& pin = world.pins[p];
         const PinGroup& group = world.pin_groups[static_cast<std::size_t>(pin.group)];
@@ -21,8 +21,8 @@ void find_held(const World& world, double end_time, HeldVertices& held) {
             return;
         }
         const auto v = static_cast<std::size_t>(pin.vertex);
-        held.flags[v] = 1;
-        held.targets[v] = pin_position(pin, group, world.obstacles, end_time);
+        constrained.flags[v] = 1;
+        constrained.targets[v] = pin_position(pin, group, world.obstacles, end_time);
     });
 }
 

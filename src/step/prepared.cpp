@@ -1,8 +1,15 @@
-#include "step/start_positions.h"
+#include "step/prepared.h"
 
 #include <cassert>
 
+#include "remesh/make_adaptive.h"
+
 namespace weft {
+
+Prepared::Prepared(World world, const SceneParams& scene, const ContactParams& contact)
+    : world_(std::move(world)), scene_(scene), contact_(contact) {
+    make_adaptive(world_);
+}
 
 StartPositions::StartPositions(const World& start) {
     auto next = start.positions.begin();

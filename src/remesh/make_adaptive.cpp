@@ -1,4 +1,4 @@
-#include "start/make_adaptive.h"
+#include "remesh/make_adaptive.h"
 
 #include "adapt/make_refinement.h"
 #include "geometry/dihedral.h"

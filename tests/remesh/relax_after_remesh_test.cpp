@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "remesh/absorb_gain.h"
+#include "remesh/relax_after_remesh.h"
 
 namespace weft {
 
@@ -14,8 +14,8 @@ using test::SheetMotion;
 
 const Vec3 k_gravity(0.0, -9.81, 0.0); // m/s^2
 
-/// What absorb_gain() made of one adaptation of a sheet in waves.
-struct Absorption {
+/// What relax_after_remesh() made of one adaptation of a sheet in waves.
+struct Relaxation {
     double gain = 0.0, left = 0.0; ///< of all patches that gained, J
     double fall = 0.0;             ///< of the whole cloth's energy, J
     double energy = 0.0;           ///< of the whole cloth, J
@@ -23,9 +23,9 @@ struct Absorption {
     bool moved_a_held_one = false, named_all = true;
 };
 
-Absorption absorb(AdaptingWorld& sheets, double share, double farthest, bool holds_odd_ones) {
+Relaxation relax(AdaptingWorld& sheets, double fraction, double farthest, bool holds_odd_ones) {
     const World before = sheets.world;
-    const ClothChanges changes = sheets.adapt(0, 15, share);
+    const ClothChanges changes = sheets.adapt(0, 15, fraction);
     const Cloth& cloth = sheets.world.cloths[0];
     const auto places = sheets.world.positions_of(cloth);
     const std::vector<Vec3> start(places.begin(), places.end());
@@ -37,14 +37,14 @@ Absorption absorb(AdaptingWorld& sheets, double share, double farthest, bool hol
     const VertexStars stars(cloth.triangles, cloth.vertex_count);
     BendElements bends(cloth);
     std::vector<Index> shifted;
-    Absorption result;
+    Relaxation result;
     for (const ChangedPatch& patch :
          find_changed_patches({before.cloths[0], before.positions_of(before.cloths[0])},
                               {cloth, start}, changes, k_gravity)) {
         if (patch.gain > 0.0) {
             result.gain += patch.gain;
-            result.left += absorb_gain({cloth, stars, bends, k_gravity, may_move, farthest, x},
-                                       patch, shifted);
+            result.left += relax_after_remesh(
+                {cloth, stars, bends, k_gravity, may_move, farthest, x}, patch, shifted);
         }
     }
     result.energy = test::surface_energy(cloth, start, k_gravity);
@@ -61,11 +61,11 @@ Absorption absorb(AdaptingWorld& sheets, double share, double farthest, bool hol
 
 } // namespace
 
-TEST(AbsorbGain, TakesMostOfWhatFlipsAcrossFoldsGave) {
+TEST(RelaxAfterRemesh, TakesMostOfWhatFlipsAcrossFoldsGave) {
     AdaptingWorld waves(SheetMotion::Wave, 2);
     double gain = 0.0, left = 0.0;
     for (int adaptation = 0; adaptation < 12; ++adaptation) {
-        const Absorption done = absorb(waves, 0.8, 0.02, false);
+        const Relaxation done = relax(waves, 0.8, 0.02, false);
         gain += done.gain;
         left += std::max(0.0, done.left);
     }
@@ -73,23 +73,23 @@ TEST(AbsorbGain, TakesMostOfWhatFlipsAcrossFoldsGave) {
     EXPECT_LT(left, 0.3 * gain);
 }
 
-TEST(AbsorbGain, SaysHowMuchTheClothGaveWay) {
+TEST(RelaxAfterRemesh, SaysHowMuchTheClothGaveWay) {
     for (const SheetMotion motion : {SheetMotion::Wave, SheetMotion::Crumple}) {
         AdaptingWorld sheets(motion, 4);
         for (int adaptation = 0; adaptation < 12; ++adaptation) {
-            const Absorption done = absorb(sheets, 0.6, 0.01, false);
+            const Relaxation done = relax(sheets, 0.6, 0.01, false);
             EXPECT_NEAR(done.gain - done.left, done.fall, 1e-9 * (1.0 + std::abs(done.energy)));
             EXPECT_TRUE(done.named_all);
         }
     }
 }
 
-TEST(AbsorbGain, MovesNoVertexTooFarAndNoneThatIsHeld) {
+TEST(RelaxAfterRemesh, MovesNoVertexTooFarAndNoneThatIsHeld) {
     constexpr double k_farthest = 1e-3; // m
     AdaptingWorld sheets(SheetMotion::Crumple, 6);
     double farthest = 0.0;
     for (int adaptation = 0; adaptation < 12; ++adaptation) {
-        const Absorption done = absorb(sheets, 0.6, k_farthest, true);
+        const Relaxation done = relax(sheets, 0.6, k_farthest, true);
         EXPECT_LE(done.farthest, k_farthest * (1.0 + 1e-12));
         EXPECT_FALSE(done.moved_a_held_one);
         farthest = std::max(farthest, done.farthest);

@@ -1,5 +1,5 @@
 #include "step/advance.h"
-#include "step/rigid_step.h"
+#include "step/rigid_prediction.h"
 #include "support/worlds.h"
 
 #include <Eigen/Geometry>
@@ -76,7 +76,7 @@ double most_strain(const World& world) {
 TEST(RigidStep, ATumblingBrickKeepsEnergyAndAngularMomentum) {
     const Scene scene = scene_of(brick({3.0, 360.0, 3.0}));
     World world = build_quietly(scene);
-    Stepper stepper(world, scene.scene, scene.contact);
+    Stepper stepper({world, scene.scene, scene.contact});
     const double energy = kinetic(world);
     const Vec3 momentum = angular_momentum(world);
 
@@ -100,9 +100,9 @@ TEST(RigidStep, ATumblingBrickGoesTheWayOfEulersEquations) {
     FourPoints v = rigid_velocities(x, {Vec3::Zero(), inertia * turning});
     const double time = 4.0;
     for (int i = 0; i < 400; ++i) {
-        const FreeFlight flight = fly_freely(rest, x, v, time / 400);
-        x = flight.positions;
-        v = flight.velocities;
+        const RigidPrediction prediction = predict_rigid(rest, x, v, time / 400);
+        x = prediction.positions;
+        v = prediction.velocities;
     }
 
     const Mat3 expected = reference_rotation(inertia, turning, time);
@@ -116,7 +116,7 @@ TEST(RigidStep, ASphereSpinsAsLongAsItFliesFreely) {
     Scene scene = scene_of(ball);
     scene.scene.gravity = Vec3(0.0, -9.81, 0.0);
     World world = build_quietly(scene);
-    Stepper stepper(world, scene.scene, scene.contact);
+    Stepper stepper({world, scene.scene, scene.contact});
     const FourPoints start = particles_of(world.rigids[0], world.positions);
 
     for (int frame = 0; frame < 25; ++frame) {

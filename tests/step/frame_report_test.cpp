@@ -1,4 +1,4 @@
-#include "step/timed_problem.h"
+#include "step/frame_report.h"
 
 #include <gtest/gtest.h>
 
