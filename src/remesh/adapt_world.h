@@ -11,15 +11,15 @@ namespace weft {
 
 /// What an adaptation did.
 struct AdaptationReport {
-    int refined = 0, coarsened = 0; ///< vertices put in, and taken out
+    int refined = 0, coarsened = 0; ///< vertices inserted and removed
     double energy = 0.0;            ///< change of kinetic, elastic and gravity energy, J
     bool changed = false;           ///< any mesh
 
     AdaptationReport& operator+=(const AdaptationReport& other);
 };
 
-/// The end of a substep: refines and coarsens all adaptive cloths for what they do now, and carries
-/// the world's state over. Results depend on the world alone.
+/// Refines and coarsens all adaptive cloths at the end of a substep, by what they do then, and
+/// transfers the world's state to the new meshes. Results depend on the world alone.
 class WorldAdaptation {
 public:
     /// @param world    at any time; the obstacles' shapes are those at t = 0
@@ -34,7 +34,7 @@ public:
                            const ContactSolver& contact,
                            std::vector<ClothChanges>& changes);
 
-    /// Forgets the meshes known: the world's are others now.
+    /// Follows a world whose meshes others have changed.
     void remesh(const World& world);
 
 private:

@@ -8,27 +8,27 @@
 
 namespace weft {
 
-/// A vertex at which an adaptation changed something.
+/// A vertex of an element that an adaptation changed.
 struct ChangedVertex {
     Index vertex;                     ///< of the cloth as it is now
     double area_before = 0.0;         ///< rest area, m^2; 0: it is new
-    Vec3 force_change = Vec3::Zero(); ///< of the elastic forces on it, by the change, N
+    Vec3 force_change = Vec3::Zero(); ///< change of the elastic force on it, N
 };
 
-/// One place that an adaptation changed, apart from all else that it changed.
+/// A connected region of elements that one adaptation changed; patches share no vertex.
 struct ChangedPatch {
     std::vector<ChangedVertex> vertices; ///< ascending
-    double gain = 0.0;                   ///< of elastic and gravity energy, J
+    double gain = 0.0;                   ///< change of elastic and gravity energy, J
 };
 
-/// A cloth and where it stands.
+/// A cloth and the positions of its vertices.
 struct PlacedCloth {
     const Cloth& cloth;
     std::span<const Vec3> x; ///< #V, m
 };
 
-/// The places that an adaptation changed: connected by elements of the membrane and of bending that
-/// are others now.
+/// Finds the patches that an adaptation changed: vertices belong together when a changed element of
+/// the membrane or of bending, before or after, joins them.
 ///
 /// @param gravity  m/s^2
 std::vector<ChangedPatch> find_changed_patches(const PlacedCloth& before,

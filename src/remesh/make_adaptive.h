@@ -4,8 +4,9 @@
 
 namespace weft {
 
-/// Makes the meshes of all cloths that are to be refined adaptive. Of a world at t = 0, as it will
-/// start; creases of imported shapes and triangles with an attached vertex are kept.
+/// Makes the meshes of all cloths that are to be refined adaptive. The world is the one that the
+/// run starts from, at t = 0; creases of imported shapes and triangles with an attached vertex are
+/// kept.
 void make_adaptive(World& world);
 
 } // namespace weft

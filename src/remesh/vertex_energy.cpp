@@ -14,7 +14,7 @@ Vec2 shape_gradient(const RestTriangle& rest, std::size_t corner) {
     return corner == 1 ? first : corner == 2 ? second : Vec2(-first - second);
 }
 
-/// Second derivative by one corner: of the unstrained triangle, and of its tension.
+/// Second derivative by one corner, of the unstrained triangle and of its tension.
 Mat3 corner_stiffness(const PolarFactor& polar,
                       const Vec2& g,
                       double area,
@@ -60,7 +60,7 @@ VertexEnergy::VertexEnergy(const Cloth& cloth,
     });
 }
 
-/// Of all edges, or of all triangles and neighbours, around the vertex.
+/// Adds the bending elements of all edges, or of all triangles and their neighbours, around it.
 void VertexEnergy::add_bends(BendElements& bends) {
     std::vector<Index> slots;
     for (const Index t : star_) {

@@ -22,8 +22,8 @@ private:
     std::vector<BendElement> made_;
 };
 
-/// Elastic energy around one vertex of a cloth, as a function of where that vertex is: of the
-/// membrane of its triangles, and of bending.
+/// Elastic energy of the elements around one vertex of a cloth, as a function of the position of
+/// that vertex: membrane of its triangles, and bending.
 class VertexEnergy {
 public:
     VertexEnergy(const Cloth& cloth, const VertexStars& stars, Index v, BendElements& bends);
@@ -33,15 +33,17 @@ public:
     /// Triangles around the vertex, ascending.
     const std::vector<Index>& star() const { return star_; }
 
-    /// Of the membrane, J.
+    /// Membrane energy of the star, J.
     /// @param x  #V, m
     double membrane(std::span<const Vec3> x) const;
 
-    /// Elastic force on the vertex, N, and where its second derivative is asked for, that: bounded
-    /// below by that of bending, and of a membrane that is not strained but tense, N/m.
+    /// Elastic force on the vertex, N.
+    /// @param stiffness  null, or receives an approximation of the second derivative of the energy,
+    /// N/m,
+    ///                   that is positive: bending, the unstrained membrane, and tension
     Vec3 force(std::span<const Vec3> x, Mat3* stiffness = nullptr) const;
 
-    /// Change of the energy of bending by a shift of the vertex, J.
+    /// Change of bending energy by a shift of the vertex, J.
     double bending_change(std::span<const Vec3> x, const Vec3& shift) const;
 
 private:
@@ -59,7 +61,7 @@ private:
         Index vertex;
         double q; ///< N/m
     };
-    std::vector<Coupled> coupled_; ///< others that bending ties the vertex to
+    std::vector<Coupled> coupled_; ///< other vertices of the bending elements
     double own_q_ = 0.0;           ///< N/m
 };
 

@@ -9,13 +9,13 @@ namespace weft {
 
 namespace {
 
-/// The load on a single contact, at the earth's surface, uses up this share of the contact
-/// thickness. Larger: heavy bodies sink in, and impulses carry them, which know nothing of what is
-/// behind a surface; smaller: the solve takes longer.
+/// The load on a single contact, at the earth's surface, presses it by this fraction of the contact
+/// thickness. Larger: heavy bodies sink in until impulses carry them, which know nothing of the
+/// material behind a surface; smaller: the solve takes longer.
 constexpr double k_load_fraction = 0.2;
 constexpr double k_earth_gravity = 9.81;
 
-/// Share of a solid's surface that carries its load: one side of a cube.
+/// Fraction of a solid's surface that bears its load: one side of a cube.
 constexpr double k_loaded_fraction = 1.0 / 6.0;
 
 /// Half the sum of the membrane's moduli, or the stiffness of an edge.
@@ -122,7 +122,7 @@ void ContactForces::add_terms(const Contact& contact) {
     pair_begin_.push_back(pair_begin_.back() + count * count);
 }
 
-/// To those of the contact at hand, which begin at `first`.
+/// Adds to the terms of the contact at hand, which begin at `first`.
 void ContactForces::add_term(std::size_t first, Index vertex, double weight) {
     const auto known = std::find_if(terms_.begin() + static_cast<long>(first), terms_.end(),
                                     [&](const Term& term) { return term.vertex == vertex; });

@@ -8,19 +8,19 @@
 
 namespace weft {
 
-/// How stiff a spring of contact is at each vertex (N/m, by World vertex): as the material itself,
-/// so that the matrix is no worse conditioned; where bodies may be loaded by more than their
-/// material is stiff, as the load asks for. Particles have none: what they carry touches.
+/// Stiffness of the springs of contact at each vertex, N/m. It is that of the material, so that the
+/// matrix is no worse conditioned; where a load may be too much for that, the load sets it.
+/// Particles of solids and rigid bodies have 0: only the surface that is embedded in them touches.
+/// @returns #V, by World vertex
 std::vector<double> contact_stiffness(const World& world);
 
-/// What contacts do inside the implicit solve. Each pushes along its normal and holds across it
-/// (contact_law.h); both follow from where vertices end, so that for a given limit of friction
-/// contact is the slope of a convex potential. What a contact does to a carried vertex it does to
-/// the particles that carry it.
+/// Contact inside the implicit solve. Each contact has a normal and a friction spring
+/// (contact_law.h). Both depend only on the end positions, so that with the friction limits fixed
+/// contact is the gradient of a convex potential. Forces on an embedded vertex act on the particles
+/// that it is embedded in.
 class ContactForces {
 public:
-    /// @param stiffness  of the springs, by vertex, N/m: as stiff as the cloth itself, so that the
-    ///                   matrix is no worse conditioned
+    /// @param stiffness  of the springs, by vertex, N/m: see contact_stiffness()
     explicit ContactForces(std::vector<double> stiffness, CarrierTable carriers = {})
         : stiffness_(std::move(stiffness)), carriers_(std::move(carriers)) {}
 
@@ -29,34 +29,35 @@ public:
     /// @param dt    s
     void start(std::span<const Vec3> start, double dt);
 
-    /// Takes up what has been appended to the list since the last call. The list must stay where it
-    /// is until the next call.
+    /// Adds the contacts that were appended to the list since the last call. The list must stay
+    /// where it is until the next call.
     void take(std::span<const Contact> contacts);
 
     bool empty() const { return springs_.empty(); }
 
-    /// No obstacle takes part: what contacts do sums to zero.
+    /// True when no obstacle takes part, so that contact forces sum to zero.
     bool is_internal() const;
 
-    /// Fits the limits of friction to how hard contacts push when vertices end at x (#V): static
-    /// where a contact did not slide at the start of the substep, else kinetic.
+    /// Sets the limit of each contact's friction to coefficient times normal force at x (#V). The
+    /// coefficient is the static one where the contact did not slide at the start of the substep,
+    /// else the kinetic one.
     void fit_limits(std::span<const Vec3> x);
 
     /// Adds forces when vertices end at x (#V), N.
     void add_forces(std::span<const Vec3> x, std::span<Vec3> forces) const;
 
-    /// Looks along x + alpha * motion (#V each, m); work_along is then the sum of force times
-    /// motion there, J.
+    /// Prepares a line search along x + alpha * motion (#V each, m). work_along then returns the
+    /// sum of force times motion at alpha, J.
     void trace(std::span<const Vec3> x, std::span<const Vec3> motion);
     double work_along(double alpha) const;
 
-    /// Counts the changes of the list: another number, other blocks.
+    /// Counts the changes of the list: while it stays the same, so do the blocks.
     int revision() const { return revision_; }
 
-    /// Blocks that contacts need in a matrix whose rows are those of the vertices.
+    /// Lists the blocks that contacts need in a matrix whose rows are those of the vertices.
     void list_blocks(std::span<const Index> row_of_vertex, std::vector<BlockEntry>& entries) const;
 
-    /// Looks up where these blocks stand; those of vertices that are constrained are left out.
+    /// Looks up where these blocks stand in the matrix, but for those of constrained vertices.
     void find_blocks(std::span<const Index> row_of_vertex,
                      std::span<const char> constrained,
                      const BlockMatrix& matrix);
@@ -65,11 +66,11 @@ public:
     /// @param damping of friction that slides, see FrictionLaw
     void add_blocks(std::span<const Vec3> x, double scale, double damping, BlockMatrix& matrix);
 
-    /// Writes what was carried, when vertices end at x, to the list given to take().
+    /// Writes impulses, friction and slips at the end positions x to the list given to take().
     void report(std::span<const Vec3> x, std::span<Contact> contacts) const;
 
-    /// Of that the slips alone: vertices end at x after all. What a rigid body gave way is taken
-    /// back at the end of a substep and must not count as slip, which would add up.
+    /// Writes the slips alone once more, at other end positions x. Projecting a rigid body back to
+    /// a rigid motion moves its particles; counted as slip, that would add up.
     void report_slips(std::span<const Vec3> x, std::span<Contact> contacts) const;
 
 private:
@@ -77,13 +78,13 @@ private:
         NormalLaw normal;
         FrictionLaw friction;
     };
-    /// Where a contact stands when vertices end somewhere.
+    /// How far the springs of a contact are deflected.
     struct Deflection {
-        double approach; ///< nearer than the rest gap by this, m
-        Vec3 tangential; ///< displacement of its friction spring, m
+        double approach; ///< rest gap minus gap, m
+        Vec3 tangential; ///< displacement of the friction spring, m
     };
 
-    /// The share that a vertex which is solved for has in a contact.
+    /// Weight of a vertex that is solved for in a contact.
     struct Term {
         Index vertex; ///< of World
         double weight;

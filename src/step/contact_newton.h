@@ -7,16 +7,16 @@
 
 namespace weft {
 
-/// A linearised step, by row of its matrix: what is left to balance is
+/// A linearised step, by row of its matrix. The equation that is left to balance is
 ///
 ///     residual + beta f_contact(x) = 0,    residual = r - A c,    x = x_base + beta (v + c)
 ///
 /// and a further change d of velocities takes A d from `residual` and adds beta d to x. Rows of
-/// constrained vertices are the identity and their residual is zero; carried ones have no row, and
+/// constrained vertices are the identity and their residual is zero; embedded ones have no row, and
 /// stay.
 struct LinearStep {
     const BlockMatrix* matrix;
-    std::span<const Index> row_of_vertex; ///< k_no_index: carried
+    std::span<const Index> row_of_vertex; ///< k_no_index: embedded
     std::span<const char> constrained;    ///< by vertex
     double beta;                          ///< s
     double tolerance;                     ///< of the balance, N s
@@ -29,7 +29,7 @@ struct LinearStep {
     }
 };
 
-/// What it took.
+/// What a balance took.
 struct BalanceReport {
     int rounds = 0;
     int cg_iterations = 0;

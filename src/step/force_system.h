@@ -16,17 +16,17 @@ public:
     ForceSystem(const World& world, const SceneParams& params);
     ~ForceSystem();
 
-    /// Takes up what the cloths have become. All is then as if made of the world as it is now, but
-    /// only what changed has been made anew.
-    /// @param changes of each cloth, since the last call or the construction
+    /// Follows the cloths through a change of their meshes. The result is as if made of the world
+    /// as it is now, but only what changed is rebuilt.
+    /// @param changes  of each cloth, since the last call or the construction
     void remesh(const World& world, std::span<const ClothChanges> changes);
 
     const Assembler& assembler() const { return *assembler_; }
 
-    /// Forces that are linearised once a substep are so from now on at velocities v.
+    /// Linearises at velocities v the forces that are linearised once a substep.
     void start_substep(std::span<const Vec3> v);
 
-    /// Attached pairs pull from now on as in a substep of this world that ends at `end_time` (s).
+    /// Sets the attached pairs to the substep of this world that ends at `end_time` (s).
     void set_attachments(const World& world, double end_time);
 
     /// Forces (N) at positions x and velocities v, and the element blocks for `assemble`.

@@ -4,9 +4,9 @@
 
 namespace weft {
 
-/// A pair that was unresolved when a substep ended.
+/// A pair that was unresolved when a substep ended, and when that was.
 struct TimedProblem {
-    double time; ///< of the substep's end, s
+    double time; ///< end of the substep, s
     ContactProblem pair;
 };
 

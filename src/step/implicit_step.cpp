@@ -209,7 +209,7 @@ bool ImplicitStep::newton_iteration(const ConstrainedVertices& constrained,
 }
 
 /// The linear step at (x_, v_), then (x_, v_) moved to the guess: where vertices go without new
-/// forces, held ones to their targets.
+/// forces, constrained ones to their targets.
 void ImplicitStep::linearise(const ConstrainedVertices& constrained,
                              bool is_first,
                              ImplicitReport& report) {
@@ -279,8 +279,8 @@ void ImplicitStep::find_residual() {
     });
 }
 
-/// Takes the guess off the residual and makes the rows of held vertices the identity. Returns the
-/// norm of the right-hand side: of what is to be balanced when only held vertices have moved.
+/// Takes the guess off the residual and makes the rows of constrained vertices the identity.
+/// Returns the norm of the right-hand side when only constrained vertices have moved.
 double ImplicitStep::eliminate_constrained(const ConstrainedVertices& constrained) {
     const auto rows = forces_.assembler().row_of_vertex();
     std::vector<Vec3>& right = row_right_;
@@ -306,7 +306,8 @@ double ImplicitStep::eliminate_constrained(const ConstrainedVertices& constraine
             masses_[v] * Mat3::Identity();
     }
     for (std::size_t v = 0; v < constrained.flags.size(); ++v) {
-        if (constrained.flags[v] != 0) { // after all moves: a held neighbour must not disturb it
+        if (constrained.flags[v] !=
+            0) { // after all moves: a constrained neighbour must not disturb it
             const auto r = static_cast<std::size_t>(rows[v]);
             right[r].setZero();
             row_residual_[r].setZero();

@@ -28,23 +28,23 @@ struct ImplicitReport {
 ///     BDF2             beta = 2 dt/3   v_base = (4 v - v-)/3    x_base = (4 x - x-)/3
 ///
 /// by Newton's method from x(v+) = x, with A = M + beta D + beta^2 K. One iteration of implicit
-/// Euler is the linearised step of Baraff and Witkin 1998 and of Bender and Deul 2013. Held
-/// vertices are eliminated (rows and columns of A become the identity); carried ones follow their
+/// Euler is the linearised step of Baraff and Witkin 1998 and of Bender and Deul 2013. Constrained
+/// vertices are eliminated (rows and columns of A become the identity); embedded ones follow their
 /// particles.
 ///
-/// Of rigid bodies, which need implicit Euler, v_base and x_base are those of their free motion
-/// (rigid_step.h), and what comes out is brought back to a rigid motion.
+/// For rigid bodies, which need implicit Euler, v_base and x_base are those of their free motion
+/// (rigid_prediction.h), and the result is projected to a rigid motion.
 class ImplicitStep {
 public:
     ImplicitStep(const World& world, const SceneParams& params);
 
-    /// Takes up what the cloths have become, with the vertices' masses. Everything is then as if
-    /// made of the world as it is now.
-    /// @param changes of each cloth, since the last call or the construction
+    /// Follows the cloths through a change of their meshes. Everything is then as if made of the
+    /// world as it is now.
+    /// @param changes  of each cloth, since the last call or the construction
     void remesh(const World& world, std::span<const ClothChanges> changes);
 
     /// Position and velocity at the end of a substep of length dt (s) with the given contacts; the
-    /// world is not changed. Contacts receive what they carried.
+    /// world is not changed. Contacts receive their impulses and slips.
     ImplicitReport solve(const World& world,
                          const ConstrainedVertices& constrained,
                          double dt,
@@ -96,8 +96,7 @@ private:
 
     double dt_ = 0.0;
     double beta_ = 0.0;
-    double floor_ = 0.0; ///< impulse of gravity over a substep, N s: less than a share of it is
-                         ///< noise
+    double floor_ = 0.0; ///< least scale of the balance: impulse of gravity over a substep, N s
     double scale_ = 0.0; ///< of the balance, N s
     std::vector<Vec3> x_base_, v_base_, guess_;
     std::vector<Vec3> x_, v_, force_, residual_, change_; ///< of the current iterate, by vertex

@@ -12,7 +12,7 @@ bool recover_from_crossings(World& world) {
         world.positions = tangled;
         return false;
     }
-    for (const Pin& pin : world.pins) { // stays where it is held
+    for (const Pin& pin : world.pins) { // a pinned vertex stays
         const auto v = static_cast<std::size_t>(pin.vertex);
         world.positions[v] = tangled[v];
     }

@@ -44,10 +44,10 @@ private:
     std::vector<AttachedState> attached_states_;
 };
 
-/// Takes cloth that was pinched until it crossed apart by geometry, as at a start that overlaps
-/// (collide/untangle.h), where obstacles leave room again: without work done on it, velocities stay
-/// as they are. Nothing is changed when it does not come out whole.
-/// @return whether no pair crosses any more
+/// Parts cloth that was pinched until it crossed, where obstacles leave room again, by geometry
+/// alone (collide/untangle.h). Velocities stay, so that no work is done. When pairs are left
+/// crossing, nothing changes.
+/// @returns whether no pair crosses any more
 bool recover_from_crossings(World& world);
 
 } // namespace weft

@@ -4,9 +4,9 @@
 
 namespace weft {
 
-/// A rigid body over one substep. An implicit step of its particles alone would stretch a turning
-/// body along the tangents and lose its spin; so the step is taken from where the body gets when no
-/// force acts, and what it then makes of the particles is brought back to a rigid motion.
+/// Where a rigid body gets in one substep when no force acts. An implicit step of its particles
+/// alone would stretch a turning body along the tangents and lose its spin; so the step starts from
+/// this prediction, and its result is projected to a rigid motion.
 struct RigidPrediction {
     FourPoints positions, velocities; ///< of the particles at the end
 };
@@ -19,8 +19,8 @@ RigidPrediction predict_rigid(const FourPoints& rest,
                               const FourPoints& velocities,
                               double dt);
 
-/// What the solve made of a free prediction, as a rigid motion: with the same momentum and, about
-/// the prediction's end where forces acted, the same angular momentum.
+/// The rigid motion nearest to what the solve made of a prediction: with the same momentum and,
+/// about the end of the prediction, where forces acted, the same angular momentum.
 RigidPrediction project_to_rigid(const FourPoints& rest,
                                  const RigidPrediction& prediction,
                                  const FourPoints& positions,
