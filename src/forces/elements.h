@@ -28,7 +28,7 @@
 ///                                                those that an adaptation changed, ascending
 ///     static Element element(cloth, slot)        one of them by itself, with count, node(a),
 ///                                                has(a), empty(), energy(x), for_each_force(x, f)
-///     std::vector<Index> update(cloth, changes)  makes the set that of the cloth as it is now;
+///     std::vector<Index> remesh(cloth, changes)  makes the set that of the cloth as it is now;
 ///                                                returns changed_slots
 ///
 /// (only energies have the first three). Bending with a constant matrix has its own loops:
