@@ -73,7 +73,9 @@ Scene drum() {
     return scene;
 }
 
-/// It falls on a sphere of 0.12 m a little beside its middle, so that it slides and folds.
+/// It falls on a sphere of 0.12 m a little beside its middle, so that it slides and folds. The
+/// criterion asks for two levels wherever it lies on the sphere: curvature times size is 0.37 on
+/// its 128 imported triangles, 0.21 on those refined once, and the limit is 0.15.
 Scene sheet_over_sphere() {
     Scene scene = adaptive_scene(8);
     scene.cloths[0].placement.translate = {0.03, 0.14, 0.02};
@@ -105,7 +107,10 @@ void refine_by_hand(World& world, std::size_t index) {
 
 } // namespace
 
-TEST(AdaptiveRun, TheMatrixTakesPartOfTheTimeOfAdaptation) {
+/// No clocks are compared: the time of the matrix is measured within that of adaptation, and not at
+/// all while the mesh stays as it is.
+TEST(AdaptiveRun, TheMatrixIsUpdatedWhenTheMeshChangesAndOnlyThen) {
+    AdaptiveWorld still(drum());
     AdaptiveWorld run(sheet_over_sphere());
     StageSeconds seconds;
     while (run.world.frame < 20 && run.refined == 0) {
@@ -114,9 +119,10 @@ TEST(AdaptiveRun, TheMatrixTakesPartOfTheTimeOfAdaptation) {
         seconds = report.seconds;
     }
 
+    EXPECT_EQ(still.stepper.advance_frame(still.world, nullptr)->seconds.matrix_update, 0.0);
     ASSERT_GT(run.refined, 0);
     EXPECT_GT(seconds.matrix_update, 0.0);
-    EXPECT_LT(seconds.matrix_update, seconds.adapt);
+    EXPECT_LE(seconds.matrix_update, seconds.adapt);
 }
 
 TEST(AdaptiveRun, AFlatSheetAtRestIsLeftAlone) {
@@ -174,6 +180,8 @@ TEST(AdaptiveRun, CrossesNothingInAnySubstep) {
     run.advance(9);
 
     EXPECT_EQ(run.crossings, 0);
+    // 23 imported triangles cover the sphere seen from above, and two levels put 4 vertices into
+    // each: so many more are in the folds beside it, where crossings would be.
     EXPECT_GT(run.refined, 100);
 }
 
@@ -253,6 +261,8 @@ TEST(AdaptiveRun, AdaptsInShortFramesToo) {
 }
 
 TEST(AdaptiveRun, GoesOnAtItsBudgetOfTriangles) {
+    // From a tenth more than the 128 imported triangles, odd and even: a cut adds two triangles, at
+    // a border another number.
     for (const int budget : {141, 160, 175, 200}) {
         Scene scene = sheet_over_sphere();
         scene.cloths[0].adapt.max_triangles = budget;
