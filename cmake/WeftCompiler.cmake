@@ -27,6 +27,7 @@ endif()
 
 # Our asserts stay in release (they cost under 1 % and catch our faults); Eigen's, one an access, go.
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DEIGEN_NO_DEBUG")
+set(CMAKE_CXX_FLAGS_PROFILE "${CMAKE_CXX_FLAGS_RELEASE} -g -fno-omit-frame-pointer")
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
 if(WEFT_SANITIZE)
     target_compile_options(weft_compiler INTERFACE
