@@ -9,7 +9,6 @@ namespace weft {
 class Hash {
 public:
     template <typename T> void add(std::span<const T> values) {
-
         add_bytes(reinterpret_cast<const unsigned char*>(values.data()), values.size_bytes());
     }
     void add_bytes(const unsigned char* bytes, std::size_t count) {
