@@ -1,6 +1,6 @@
 #include "adapt/patch_momentum.h"
 
-#include <Eigen/Eigenvalues>
+#include "state/rigid_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,6 @@
 namespace weft {
 
 namespace {
-
-/// Share of the greatest principal inertia below which a direction has none: vertices in a line.
-constexpr double k_least_inertia = 1e-9;
 
 /// Share of a patch's distance from the origin below which its width is rounding: vertices in a
 /// point.
@@ -22,7 +19,7 @@ constexpr double k_least_width = 1e-12;
 constexpr double k_least_share = 0.98;
 
 /// A rigid motion about a centre.
-struct RigidMotion {
+struct PatchMotion {
     Vec3 centre, velocity, spin;
 
     Vec3 at(const Vec3& x) const { return velocity + spin.cross(x - centre); }
@@ -35,19 +32,6 @@ Mat3 inertia_about(const Vec3& centre, std::span<const double> m, std::span<cons
         inertia += m[i] * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
     }
     return inertia;
-}
-
-/// Spin of least size with inertia * spin = angular, where there is more inertia than `least`.
-Vec3 solve_spin(const Mat3& inertia, double least, const Vec3& angular) {
-    const Eigen::SelfAdjointEigenSolver<Mat3> axes(inertia);
-    Vec3 spin = Vec3::Zero();
-    for (Eigen::Index k = 0; k < 3; ++k) {
-        if (axes.eigenvalues()[k] > std::max(least, k_least_inertia * axes.eigenvalues()[2])) {
-            const Vec3 axis = axes.eigenvectors().col(k);
-            spin += axis.dot(angular) / axes.eigenvalues()[k] * axis;
-        }
-    }
-    return spin;
 }
 
 PatchMomentum
@@ -88,10 +72,11 @@ void restore_momentum(const PatchMomentum& before,
     const Mat3 inertia = inertia_about(centre, m, x);
     const double least_inertia = now.mass * k_least_width * k_least_width * centre.squaredNorm();
     const auto spin_of = [&](const PatchMomentum& momentum) {
-        return solve_spin(inertia, least_inertia, momentum.angular - centre.cross(momentum.linear));
+        return weft::spin_of(inertia, momentum.angular - centre.cross(momentum.linear),
+                             least_inertia);
     };
     const PatchMomentum missing{0.0, before.linear - now.linear, before.angular - now.angular, 0.0};
-    const RigidMotion correction{centre, missing.linear / now.mass, spin_of(missing)};
+    const PatchMotion correction{centre, missing.linear / now.mass, spin_of(missing)};
     for (std::size_t i = 0; i < m.size(); ++i) {
         v[i] += correction.at(x[i]);
     }
@@ -100,7 +85,7 @@ void restore_momentum(const PatchMomentum& before,
     if (now.kinetic <= before.kinetic) {
         return;
     }
-    const RigidMotion rigid{centre, now.linear / now.mass, spin_of(now)};
+    const PatchMotion rigid{centre, now.linear / now.mass, spin_of(now)};
     double fluctuation = 0.0;
     for (std::size_t i = 0; i < m.size(); ++i) {
         fluctuation += 0.5 * m[i] * (v[i] - rigid.at(x[i])).squaredNorm();

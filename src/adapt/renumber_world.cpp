@@ -76,14 +76,14 @@ void renumber_world(World& world,
     for (AttachedPair& pair : world.attached_pairs) {
         std::transform(pair.vertices.begin(), pair.vertices.end(), pair.vertices.begin(), renumber);
     }
-    for (ContactMemory& memory : world.contact_memory) {
+    for (FrictionHistory& memory : world.friction_history) {
         std::transform(memory.pair.begin(), memory.pair.end(), memory.pair.begin(), renumber);
     }
-    std::erase_if(world.contact_memory, [](const ContactMemory& memory) {
+    std::erase_if(world.friction_history, [](const FrictionHistory& memory) {
         return std::find(memory.pair.begin(), memory.pair.end(), k_no_index) != memory.pair.end();
     });
-    std::sort(world.contact_memory.begin(), world.contact_memory.end(),
-              [](const ContactMemory& a, const ContactMemory& b) { return a.pair < b.pair; });
+    std::sort(world.friction_history.begin(), world.friction_history.end(),
+              [](const FrictionHistory& a, const FrictionHistory& b) { return a.pair < b.pair; });
 }
 
 } // namespace weft

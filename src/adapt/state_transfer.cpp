@@ -2,7 +2,6 @@
 
 #include "adapt/renumber_world.h"
 #include "base/disjoint_sets.h"
-#include "state/contact_legacy.h"
 
 #include <algorithm>
 #include <cassert>
@@ -77,8 +76,8 @@ void StateTransfer::find_held(const World& world, const Cloth& cloth) {
     for (const AttachedPair& pair : world.attached_pairs) {
         std::for_each(pair.vertices.begin(), pair.vertices.end(), hold);
     }
-    for (const ContactMemory& memory : world.contact_memory) {
-        std::for_each(memory.pair.begin(), memory.pair.end() - (is_legacy(memory) ? 1 : 0), hold);
+    for (const FrictionHistory& memory : world.friction_history) {
+        std::for_each(memory.pair.begin(), memory.pair.end() - (is_transfer(memory) ? 1 : 0), hold);
     }
 }
 
@@ -218,8 +217,9 @@ void StateTransfer::correct_patch(std::span<const Index> patch) {
 }
 
 /// Of the world as it was before.
-ContactLegacies
-StateTransfer::take_legacies(World& world, const Cloth& cloth, const ClothChanges& changes) const {
+FrictionTransfer StateTransfer::begin_friction_transfer(World& world,
+                                                        const Cloth& cloth,
+                                                        const ClothChanges& changes) const {
     std::vector<char> is_changed(old_count_, 1); // if it is found nowhere
     for (const VertexState& state : states_) {
         if (at(state.former) < old_count_) {
@@ -233,19 +233,19 @@ StateTransfer::take_legacies(World& world, const Cloth& cloth, const ClothChange
             }
         }
     }
-    ContactLegacies legacies(world, cloth.first_vertex, is_changed);
+    FrictionTransfer transfer(world, cloth.first_vertex, is_changed);
     for (const VertexParents& place : inserted_) {
-        legacies.inherit(place);
+        transfer.inherit(place);
     }
-    return legacies;
+    return transfer;
 }
 
-void StateTransfer::leave_legacies(World& world, const ContactLegacies& legacies) const {
+void StateTransfer::end_friction_transfer(World& world, const FrictionTransfer& transfer) const {
     std::vector<Index> former;
     for (const VertexState& state : states_) {
         former.push_back(state.former);
     }
-    legacies.leave(world, former, masses_);
+    transfer.leave(world, former, masses_);
 }
 
 void StateTransfer::finish(World& world, std::size_t index, const ClothChanges& changes) {
@@ -253,9 +253,9 @@ void StateTransfer::finish(World& world, std::size_t index, const ClothChanges& 
     states_.resize(at(cloth.vertex_count));
     set_masses(cloth, changes);
     correct_velocities(cloth, changes);
-    const ContactLegacies legacies = take_legacies(world, cloth, changes);
+    const FrictionTransfer transfer = begin_friction_transfer(world, cloth, changes);
     renumber_world(world, index, old_count_, changes);
-    leave_legacies(world, legacies);
+    end_friction_transfer(world, transfer);
     const bool has_history = !world.previous_positions.empty();
     cloth.refinement.start.resize(states_.size());
     for (std::size_t i = 0; i < states_.size(); ++i) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "adapt/adaptation_hooks.h"
-#include "adapt/contact_legacies.h"
+#include "adapt/friction_transfer.h"
 #include "adapt/patch_momentum.h"
 #include "state/cloth_changes.h"
 #include "state/world.h"
@@ -18,7 +18,7 @@ namespace weft {
 /// vertex taken out leaves its momentum. Lumped masses change around all that is edited; then each
 /// connected patch of changed triangles, with some more around it, gets back the linear and angular
 /// momentum that it had; so do the changes of velocity that BDF2 goes on from. Friction goes on as
-/// ContactLegacies says.
+/// FrictionTransfer says.
 class StateTransfer {
 public:
     StateTransfer(const World& world, const Cloth& cloth);
@@ -67,9 +67,9 @@ private:
     void set_masses(const Cloth& cloth, const ClothChanges& changes);
     void correct_velocities(const Cloth& cloth, const ClothChanges& changes);
     void correct_patch(std::span<const Index> patch);
-    ContactLegacies
-    take_legacies(World& world, const Cloth& cloth, const ClothChanges& changes) const;
-    void leave_legacies(World& world, const ContactLegacies& legacies) const;
+    FrictionTransfer
+    begin_friction_transfer(World& world, const Cloth& cloth, const ClothChanges& changes) const;
+    void end_friction_transfer(World& world, const FrictionTransfer& transfer) const;
 
     const std::vector<Obstacle>* obstacles_;
     Vec3 origin_;

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -27,7 +28,7 @@ std::string vertex_line(const Vec3& x, const char* colour) {
 
 /// The segment that a pair shares; corners that the two have in common keep one number.
 std::array<Vec3, 2>
-segment_of(const ContactProblem& pair, const TriangleMesh& a, const TriangleMesh& b) {
+segment_of(const UnresolvedPair& pair, const TriangleMesh& a, const TriangleMesh& b) {
     std::vector<Vec3> x;
     std::array<Triangle, 2> local{{{0, 1, 2}, {3, 4, 5}}};
     for (const Vec3& corner : corners_of(a, pair.triangles[0])) {
@@ -48,10 +49,11 @@ segment_of(const ContactProblem& pair, const TriangleMesh& a, const TriangleMesh
 
 } // namespace
 
-std::string encode_crossings(const World& world, std::span<const ContactProblem> pairs) {
-    std::map<Index, TriangleMesh> shapes;
-    std::set<std::array<Index, 2>> triangles;
-    for (const ContactProblem& pair : pairs) {
+std::string encode_crossings(const World& world, std::span<const UnresolvedPair> pairs) {
+    const std::vector<ObjectId> objects = objects_of(world);
+    std::map<ObjectId, TriangleMesh> shapes;
+    std::set<std::pair<ObjectId, Index>> triangles;
+    for (const UnresolvedPair& pair : pairs) {
         for (std::size_t side = 0; side < 2; ++side) {
             if (!shapes.contains(pair.objects[side])) {
                 shapes.emplace(pair.objects[side], object_mesh(world, pair.objects[side]));
@@ -64,15 +66,16 @@ std::string encode_crossings(const World& world, std::span<const ContactProblem>
     std::string edges;
     std::size_t next = 0;
     for (const auto& [object, triangle] : triangles) {
-        const char* colour = is_obstacle(world, object) ? k_blue : k_red;
+        const char* colour = object.is_obstacle() ? k_blue : k_red;
         for (const Vec3& x : corners_of(shapes.at(object), triangle)) {
             vertices += vertex_line(x, colour);
         }
-        faces += fmt::format("3 {} {} {} {} {} {}\n", next, next + 1, next + 2, colour, object,
+        const auto number = std::find(objects.begin(), objects.end(), object) - objects.begin();
+        faces += fmt::format("3 {} {} {} {} {} {}\n", next, next + 1, next + 2, colour, number,
                              triangle);
         next += 3;
     }
-    for (const ContactProblem& pair : pairs) {
+    for (const UnresolvedPair& pair : pairs) {
         for (const Vec3& end :
              segment_of(pair, shapes.at(pair.objects[0]), shapes.at(pair.objects[1]))) {
             vertices += vertex_line(end, k_yellow);

@@ -33,7 +33,7 @@ std::string describe_solids(const World& world) {
 /// Pairs listed of each two objects; the count tells of the rest.
 constexpr std::size_t k_listed = 5;
 
-using Couples = std::map<std::array<Index, 2>, std::vector<ContactProblem>>;
+using Couples = std::map<std::array<ObjectId, 2>, std::vector<UnresolvedPair>>;
 
 void list_pairs(const World& world, const Couples& couples, bool all, SummaryLines& sheet) {
     for (const auto& [objects, pairs] : couples) {
@@ -45,7 +45,7 @@ void list_pairs(const World& world, const Couples& couples, bool all, SummaryLin
             sheet.row("", "{} and {}: {}", a, b, plural(pairs.size(), "pair"));
         }
         const std::size_t listed = all ? pairs.size() : std::min(pairs.size(), k_listed);
-        for (const ContactProblem& pair : std::span(pairs).first(listed)) {
+        for (const UnresolvedPair& pair : std::span(pairs).first(listed)) {
             sheet.row("", "  {} triangle {:<6} {} triangle {:<6} at ({:.4f}, {:.4f}, {:.4f}) m", a,
                       pair.triangles[0], b, pair.triangles[1], pair.place.x(), pair.place.y(),
                       pair.place.z());
@@ -86,7 +86,7 @@ InspectReport describe_start(const Scene& scene, const StartInspection& wanted) 
         sheet.row("start", "nothing crosses");
     } else {
         Couples couples;
-        for (const ContactProblem& pair : pairs) {
+        for (const UnresolvedPair& pair : pairs) {
             couples[pair.objects].push_back(pair);
         }
         report.is_refused = scene.contact.start_overlap == StartOverlap::Error;

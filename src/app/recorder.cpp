@@ -28,14 +28,14 @@ void Recorder::begin() {
 }
 
 /// What the substeps left and what crosses now.
-std::vector<TimedProblem>
+std::vector<UnresolvedPair>
 Recorder::find_problems(const World& world, const FrameReport& report, int& crossings) {
-    std::vector<TimedProblem> problems = report.problems;
+    std::vector<UnresolvedPair> problems = report.problems;
     crossings = report.crossings;
     if (contact_.enabled) { // else the scene says that nothing touches anything
-        const std::vector<ContactProblem> found = crossings_.find(world, world.time);
+        const std::vector<UnresolvedPair> found = crossings_.find(world, world.time);
         crossings = std::max(crossings, static_cast<int>(found.size()));
-        add_problems(problems, world.time, found);
+        add_unresolved(problems, world.time, found);
         keep_last_of_each(problems);
     }
     return problems;
@@ -48,7 +48,7 @@ void Recorder::record(const World& world,
     auto record = std::make_shared<FrameRecord>();
     record->timing = timing;
     int crossings = 0;
-    std::vector<TimedProblem> problems;
+    std::vector<UnresolvedPair> problems;
     {
         const ScopedTime time(record->timing.verify);
         problems = find_problems(world, report, crossings);

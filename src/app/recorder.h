@@ -49,7 +49,7 @@ public:
     CsvTable statistics() const { return writer_.statistics(); }
 
 private:
-    std::vector<TimedProblem>
+    std::vector<UnresolvedPair>
     find_problems(const World& world, const FrameReport& report, int& crossings);
 
     RunPaths paths_;

@@ -5,6 +5,7 @@
 #include "app/summary.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "collide/contact_surface.h"
 #include "frames/acceptance.h"
 #include "frames/status.h"
 #include "scene/scene_writer.h"
@@ -38,9 +39,9 @@ ExitCode describe_start(const Scene& scene, World& world) {
         cure_start_overlap(world, scene, [] { return false; });
     }
     fmt::print("{}", summarise(scene, world));
-    const std::vector<CrossingPair> pairs = crossings_of_contact(world, scene.contact);
+    const std::vector<UnresolvedPair> pairs = crossings_of_contact(world, scene.contact);
     if (!pairs.empty()) {
-        fmt::print("start: {}\n", describe_crossings(pairs));
+        fmt::print("start: {}\n", describe_crossings(world, pairs));
     }
     return ExitCode::Done;
 }
@@ -53,7 +54,7 @@ std::string describe_cure(const StartOverlapReport& report) {
             : "";
     return fmt::format("start: {} pairs of triangles crossed, now none: cloth was moved by at most "
                        "{:.3g} m, {} rounds of untangling{}",
-                       report.pairs_before, report.greatest_way, report.rounds, grown);
+                       report.pairs_before, report.max_displacement, report.rounds, grown);
 }
 
 /// Prepares the world for its first frame and says what overlap took, also into `told`. Nothing:
@@ -84,10 +85,14 @@ ExitCode simulate_scene(const SimulateOptions& options, const Scene& scene) {
     }
     set_thread_count(common.threads);
     std::vector<std::string> told;
-    World world = build_world(scene, [&](const std::string& line) {
+    const auto tell = [&](const std::string& line) {
         warn("{}", line);
         told.push_back(line);
-    });
+    };
+    World world = build_world(scene, tell);
+    for (const std::string& line : thickness_warnings(world, scene.contact)) {
+        tell(line);
+    }
     if (common.dry_run) {
         return describe_start(scene, world);
     }

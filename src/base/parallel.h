@@ -70,6 +70,35 @@ T parallel_reduce(
     return total;
 }
 
+/// The lists that the chunks of parallel_collect() fill: kept between calls, their memory is used
+/// again.
+template <typename T> using ChunkLists = std::vector<std::vector<T>>;
+
+/// Calls f(i, list) for each i in [0, count), which may append to the list, and appends to `out`
+/// what all have appended, in the order of i.
+template <typename T, typename F>
+void parallel_collect(std::size_t count,
+                      const F& f,
+                      ChunkLists<T>& lists,
+                      std::vector<T>& out,
+                      std::size_t chunk = 512) {
+    const std::size_t chunks = (count + chunk - 1) / chunk;
+    lists.resize(std::max(lists.size(), chunks));
+    parallel_chunks(
+        count,
+        [&](std::size_t begin, std::size_t end) {
+            std::vector<T>& list = lists[begin / chunk];
+            list.clear();
+            for (std::size_t i = begin; i < end; ++i) {
+                f(i, list);
+            }
+        },
+        chunk);
+    for (std::size_t c = 0; c < chunks; ++c) {
+        out.insert(out.end(), lists[c].begin(), lists[c].end());
+    }
+}
+
 /// Sum of f(i) over [0, count), the same bits for any thread count.
 template <typename F> double parallel_sum(std::size_t count, const F& f) {
     return parallel_reduce(count, 0.0, f, [](double a, double b) { return a + b; });

@@ -8,7 +8,7 @@ namespace weft {
 
 namespace {
 
-/// Share of the thickness by which a vertex may end aside of the path it was looked at with.
+/// Fraction of the thickness by which a vertex may end aside of the path that was searched.
 /// Smaller: impulses send the search back more often; larger: more candidates.
 constexpr double k_slack = 0.5;
 
@@ -23,8 +23,8 @@ Vec3 mean(std::span<const Vec3> v) {
     return v.empty() ? sum : Vec3(sum / static_cast<double>(v.size()));
 }
 
-/// Does the straight way to `end` stay in the box of the way to `seen`, larger by `slack`? Both
-/// begin at the origin.
+/// Does the line to `end` stay in the box of the line to `seen`, larger by `slack`? Both begin at
+/// the origin.
 bool stays_within(const Vec3& end, const Vec3& seen, double slack) {
     return (end.array() >= seen.array().min(0.0) - slack).all() &&
            (end.array() <= seen.array().max(0.0) + slack).all();
@@ -37,7 +37,7 @@ using CornerPairs = std::uint32_t;
 constexpr std::array<CornerPairs, 3> k_with_first{0b000'000'111, 0b000'111'000, 0b111'000'000};
 constexpr std::array<CornerPairs, 3> k_with_second{0b001'001'001, 0b010'010'010, 0b100'100'100};
 
-/// Those that are one vertex.
+/// The corners of two triangles that are one vertex.
 CornerPairs same_corners(const ContactSurface& surface, const Triangle& a, const Triangle& b) {
     CornerPairs same = 0;
     const auto look = [&](const auto& are_one) {
@@ -71,9 +71,9 @@ BroadPhase::BroadPhase(const ContactSurface& surface, bool self) : self_(self) {
     }
     for (const ContactObject& object : surface.objects) {
         // Half from each side: a pair's boxes then lie together by at least its thickness.
-        const double thickness = object.is_obstacle ? largest : object.thickness;
+        const double thickness = object.id.is_obstacle() ? largest : object.thickness;
         reach_.push_back(0.5 * k_reach * thickness);
-        slack_.push_back(object.is_obstacle ? 0.0 : k_slack * object.thickness);
+        slack_.push_back(object.id.is_obstacle() ? 0.0 : k_slack * object.thickness);
     }
     is_any_off_ = std::any_of(surface.rules.begin(), surface.rules.end(),
                               [](const PairRule& rule) { return rule.is_off; });
@@ -101,7 +101,7 @@ void BroadPhase::find(const ContactSurface& surface,
     fit(surface, deformable, Vec3::Zero(), dt, deformables_);
     for (std::size_t o = 0; o < surface.objects.size(); ++o) {
         const ContactObject& object = surface.objects[o];
-        if (object.is_obstacle) {
+        if (object.id.is_obstacle()) {
             const std::size_t vertex = at(object.first_vertex);
             const std::size_t triangle = at(object.first_triangle);
             const FittedMotion motion{object.start, object.end, object.motion_number};
@@ -124,19 +124,13 @@ void BroadPhase::gather(const ContactSurface& surface,
                         Index first_b,
                         std::vector<Candidate>& candidates) {
     BoxTree::split(a, b, k_tasks, tasks_);
-    found_.resize(std::max(found_.size(), tasks_.size()));
-    parallel_for(
+    parallel_collect(
         tasks_.size(),
-        [&](std::size_t i) {
-            found_[i].clear();
-            BoxTree::overlaps(a, b, tasks_[i], [&](Index s, Index t) {
-                look_at(surface, s, first_b + t, found_[i]);
-            });
+        [&](std::size_t i, std::vector<Candidate>& found) {
+            BoxTree::overlaps(a, b, tasks_[i],
+                              [&](Index s, Index t) { look_at(surface, s, first_b + t, found); });
         },
-        1);
-    for (std::size_t i = 0; i < tasks_.size(); ++i) {
-        candidates.insert(candidates.end(), found_[i].begin(), found_[i].end());
-    }
+        tasks_found_, candidates, 1);
 }
 
 void BroadPhase::remesh(const ContactSurface& surface, std::span<const Vec3> start) {

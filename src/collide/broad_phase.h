@@ -1,13 +1,14 @@
 #pragma once
 
+#include "base/parallel.h"
 #include "collide/contact_surface.h"
 #include "geometry/box_tree.h"
 #include "geometry/separation.h"
 
 namespace weft {
 
-/// Wider than the thickness by this share, pairs are already looked at: resting pairs, which stand
-/// at the thickness, neither leave contact nor fall into it anew each substep.
+/// Pairs are looked at within this many thicknesses: resting pairs, which stand at one thickness,
+/// neither leave contact nor enter it anew in each substep.
 inline constexpr double k_reach = 1.25;
 
 /// A pair to look at.
@@ -41,8 +42,8 @@ public:
     /// Whether deformables are looked at against each other.
     bool looks_at_self() const { return self_; }
 
-    /// Calls f(triangle of the surface) for all whose way in the last find() comes near the box, of
-    /// deformables only when they meet each other.
+    /// Calls f(triangle of the surface) for all triangles whose motion in the last find() came near
+    /// the box; for those of deformables only when they meet each other.
     template <typename F>
     void for_each_near(const ContactSurface& surface, const Box& box, const F& f) const {
         if (self_) {
@@ -78,13 +79,14 @@ private:
     struct Range {
         std::size_t first_vertex, end_vertex, first_triangle, end_triangle;
     };
-    /// What an obstacle's tree was fitted to: two that are equal sweep the same space.
+    /// The motion that an obstacle's tree was fitted to; equal ones sweep the same space.
     struct FittedMotion {
         Pose start{}, end{};
         std::uint64_t number = 0; ///< ContactObject::motion_number
         bool operator==(const FittedMotion& other) const;
     };
-    /// Boxes of what a range sweeps, seen from a frame that moves with `frame_velocity`.
+    /// Fits the tree to the space that a range sweeps, seen from a frame that moves with
+    /// `frame_velocity`.
     void fit(const ContactSurface& surface,
              const Range& range,
              const Vec3& frame_velocity,
@@ -111,7 +113,7 @@ private:
     std::vector<FittedMotion> fitted_motions_; ///< of each object's tree
     std::vector<char> is_fitted_;              ///< whether that holds
     std::vector<BoxTree::Task> tasks_;
-    std::vector<std::vector<Candidate>> found_; ///< a task
+    ChunkLists<Candidate> tasks_found_;
 };
 
 } // namespace weft

@@ -1,8 +1,7 @@
 #include "collide/contact_search.h"
 
 #include "base/parallel.h"
-#include "collide/proximity.h"
-#include "state/contact_legacy.h"
+#include "collide/friction.h"
 
 #include <algorithm>
 
@@ -10,11 +9,9 @@ namespace weft {
 
 namespace {
 
-/// Share of the rest gap that pushing sides may use up. Larger: heavy loads are carried more
+/// Fraction of the rest gap that pushing sides may use up. Larger: heavy loads are carried more
 /// softly; smaller: nothing is left between the least gap and where impacts are felt.
-constexpr double k_room = 0.7;
-
-constexpr std::size_t k_chunk_candidates = 512;
+constexpr double k_barrier_fraction = 0.7;
 
 /// How a gap turns with the body that an obstacle's vertex belongs to, m: what sticks to the body
 /// at a distance moves with the body's motion there, not with that of the body's surface.
@@ -38,12 +35,12 @@ Contact make_contact(const ContactSurface& surface,
                     .normal = row.normal,
                     .gap = 0.0,
                     .thickness = thickness,
-                    .rest = thickness,
-                    .room = k_room * thickness,
+                    .rest_gap = thickness,
+                    .barrier_width = k_barrier_fraction * thickness,
                     .mass = row.mass,
                     .friction = rule.friction,
                     .static_friction = rule.static_friction,
-                    .driven = Vec3::Zero()};
+                    .obstacle_displacement = Vec3::Zero()};
     Vec3 apart = Vec3::Zero();
     Vec3 speed = Vec3::Zero();
     for (std::size_t i = 0; i < 4; ++i) {
@@ -52,92 +49,162 @@ Contact make_contact(const ContactSurface& surface,
         speed += row.weights[i] * surface.velocity[at(v)];
         if (!surface.is_deformable(v)) {
             contact.vertices[i] = k_no_index;
-            contact.driven += dt * row.weights[i] * surface.velocity[at(v)];
+            contact.obstacle_displacement += dt * row.weights[i] * surface.velocity[at(v)];
         }
     }
     contact.gap = row.normal.dot(apart);
     for (const Index v : {candidate.vertices[0], candidate.vertices[3]}) {
         if (!surface.is_deformable(v)) {
             const Vec3 turn = turn_of_gap(surface, v, apart);
-            contact.driven -= turn - row.normal.dot(turn) * row.normal;
+            contact.obstacle_displacement -= turn - row.normal.dot(turn) * row.normal;
         }
     }
-    contact.slides = (speed - row.normal.dot(speed) * row.normal).norm() > k_sliding_speed;
+    const Vec3 sliding = speed - row.normal.dot(speed) * row.normal;
+    contact.slides = is_sliding(sliding.norm(), 1.0);
     return contact;
+}
+
+/// Sine of the angle by which a connection may lean towards a triangle beside it. Smaller: contacts
+/// at shared edges are lost to rounding; larger: what slides far in a substep is lifted, and
+/// braked.
+constexpr double k_lean = 1e-5;
+
+/// False when the bounds of the sides alone show that they are further apart than `reach`.
+bool may_be_near(PairKind kind, const PairPoints& x, double reach) {
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        const bool vertex_face = kind == PairKind::VertexFace;
+        const double low1 = vertex_face ? x[0][k] : std::min(x[0][k], x[1][k]);
+        const double high1 = vertex_face ? x[0][k] : std::max(x[0][k], x[1][k]);
+        const double second = vertex_face ? x[1][k] : x[2][k];
+        const double low2 = std::min({x[2][k], x[3][k], second});
+        const double high2 = std::max({x[2][k], x[3][k], second});
+        if (low1 > high2 + reach || low2 > high1 + reach) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Does `normal` lean towards the triangle on `apex`'s side of the edge (a, b)?
+bool leans_to_triangle(
+    const ContactSurface& surface, const Vec3& normal, Index a, Index b, Index apex) {
+    if (apex == k_no_index) {
+        return false;
+    }
+    const Vec3& origin = surface.start[at(a)];
+    const Vec3 edge = surface.start[at(b)] - origin;
+    const Vec3 side = surface.start[at(apex)] - origin;
+    const double length_squared = edge.squaredNorm();
+    const Vec3 inward =
+        length_squared > 0.0 ? Vec3(side - edge.dot(side) / length_squared * edge) : side;
+    return normal.dot(inward) > k_lean * inward.norm();
+}
+
+bool leans_to_ring(const ContactSurface& surface, const Vec3& normal, Index v) {
+    for (Index i = surface.ring_begin[at(v)]; i < surface.ring_begin[at(v) + 1]; ++i) {
+        const Vec3 along = surface.start[at(surface.ring[at(i)])] - surface.start[at(v)];
+        if (normal.dot(along) > k_lean * along.norm()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool vertex_face_is_nearest(const ContactSurface& surface,
+                            const Candidate& candidate,
+                            const Separation& place) {
+    const Index t = candidate.triangles[0];
+    const Triangle& corners = surface.triangles[at(t)];
+    std::array<bool, 3> used{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        used[k] = place.weights[k + 1] != 0.0;
+    }
+    const int count = int(used[0]) + int(used[1]) + int(used[2]);
+    if (count == 3) {
+        return true;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Index a = corners[(k + 1) % 3];
+        const Index b = corners[(k + 2) % 3];
+        if (count == 2 && !used[k]) { // on the side opposite to corner k
+            return surface.owns_side(t, k) &&
+                   !leans_to_triangle(surface, place.normal, a, b, surface.opposite[at(t)][k]);
+        }
+        if (count == 1 && used[k]) {
+            return surface.owns_corner(t, k) && !leans_to_ring(surface, place.normal, corners[k]);
+        }
+    }
+    return true;
+}
+
+bool leans_beside_edge(
+    const ContactSurface& surface, const Vec3& normal, Index t, Index a, Index b) {
+    const Triangle& corners = surface.triangles[at(t)];
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (corners[k] != a && corners[k] != b) {
+            return leans_to_triangle(surface, normal, a, b, corners[k]) ||
+                   leans_to_triangle(surface, normal, a, b, surface.opposite[at(t)][k]);
+        }
+    }
+    return false;
 }
 
 } // namespace
 
-void ContactSearch::note_vertices(const ContactSurface& surface,
-                                  std::span<const ContactMemory> memory) {
-    of_vertex_.assign(at(surface.deformable_vertices), {});
-    has_legacies_ = false;
-    for (const ContactMemory& one : memory) {
-        has_legacies_ = has_legacies_ || is_legacy(one);
-        for (const Index v : std::span(one.pair).first(is_legacy(one) ? 1 : 4)) {
-            if (surface.is_deformable(v)) {
-                VertexMemory& known = of_vertex_[at(v)];
-                known.rest = std::max(known.rest, one.rest);
-                known.slides = known.slides || one.slides != 0;
-            }
-        }
+bool is_nearest_here(const ContactSurface& surface,
+                     const Candidate& candidate,
+                     const Separation& place) {
+    if (place.distance == 0.0) {
+        return true;
     }
+    if (candidate.kind == PairKind::VertexFace) {
+        return vertex_face_is_nearest(surface, candidate, place);
+    }
+    const auto& w = place.weights;
+    if (w[0] == 0.0 || w[1] == 0.0 || w[2] == 0.0 || w[3] == 0.0) {
+        return false; // a vertex and an edge: the vertex's pair with a face has it
+    }
+    const auto& v = candidate.vertices;
+    return !leans_beside_edge(surface, -place.normal, candidate.triangles[0], v[0], v[1]) &&
+           !leans_beside_edge(surface, place.normal, candidate.triangles[1], v[2], v[3]);
 }
 
-void ContactSearch::recall(const ContactSurface& surface,
-                           std::span<const ContactMemory> memory,
-                           double dt,
-                           Contact& contact) const {
-    double rest = contact.gap;
-    if (const ContactMemory* known = find_pair(memory, contact.pair)) {
-        rest = known->rest;
-        contact.slip = known->slip - contact.normal.dot(known->slip) * contact.normal;
-        contact.slides = known->slides != 0;
-    } else {
-        for (const Index v : contact.pair) {
-            if (surface.is_deformable(v)) {
-                rest = std::max(rest, of_vertex_[at(v)].rest);
-                contact.slides = contact.slides || of_vertex_[at(v)].slides;
-            }
-        }
+std::optional<Separation> near_place(const ContactSurface& surface, const Candidate& candidate) {
+    const double reach = k_reach * surface.thickness_of(candidate.vertices, candidate.kind);
+    const PairPoints x = start_points(surface, candidate.vertices);
+    if (!may_be_near(candidate.kind, x, reach)) {
+        return {};
     }
-    rest = std::min(rest, contact.thickness);
-    contact.rest = rest + (contact.thickness - rest) * parting_share(dt);
-    contact.room = k_room * contact.rest;
+    const Separation place = separation(candidate.kind, x);
+    return place.distance < reach && is_nearest_here(surface, candidate, place)
+               ? std::optional(place)
+               : std::nullopt;
 }
 
 void ContactSearch::find(const ContactSurface& surface,
                          std::span<const Candidate> candidates,
-                         std::span<const ContactMemory> memory,
+                         std::span<const FrictionHistory> history,
                          double dt,
                          std::vector<Contact>& contacts) {
-    note_vertices(surface, memory);
-    const std::size_t chunks = (candidates.size() + k_chunk_candidates - 1) / k_chunk_candidates;
-    found_.resize(std::max(found_.size(), chunks));
-    parallel_chunks(
+    recall_.read(surface, history);
+    contacts.clear();
+    parallel_collect(
         candidates.size(),
-        [&](std::size_t begin, std::size_t end) {
-            auto& out = found_[begin / k_chunk_candidates];
-            out.clear();
-            for (const Candidate& candidate : candidates.subspan(begin, end - begin)) {
-                const auto place = near_place(surface, candidate);
-                if (place && place->distance > 0.0) {
-                    Contact contact = make_contact(surface, candidate, *place, dt);
-                    if (contact.mass > 0.0) {
-                        recall(surface, memory, dt, contact);
-                        out.push_back(contact);
-                    }
-                }
+        [&](std::size_t i, std::vector<Contact>& found) {
+            const auto place = near_place(surface, candidates[i]);
+            if (!place || place->distance == 0.0) {
+                return;
+            }
+            Contact contact = make_contact(surface, candidates[i], *place, dt);
+            if (contact.mass > 0.0) {
+                const double rest_gap = recall_.recall(surface, contact);
+                contact.rest_gap = rest_gap + (contact.thickness - rest_gap) * parting_fraction(dt);
+                contact.barrier_width = k_barrier_fraction * contact.rest_gap;
+                found.push_back(contact);
             }
         },
-        k_chunk_candidates);
-    contacts.clear();
-    for (std::size_t c = 0; c < chunks; ++c) {
-        contacts.insert(contacts.end(), found_[c].begin(), found_[c].end());
-    }
-    if (has_legacies_) {
-        shares_.give(surface, memory, contacts);
-    }
+        chunks_, contacts);
+    recall_.distribute(surface, contacts);
 }
 
 Contact make_impact_contact(const ContactSurface& surface,
@@ -152,42 +219,15 @@ Contact make_impact_contact(const ContactSurface& surface,
     }
     Contact contact = make_contact(surface, candidate, separation(candidate.kind, x), dt);
     contact.met = true;
-    contact.rest = std::min(contact.rest, contact.gap);
-    contact.room = std::min(contact.room, k_room * separation(candidate.kind, start).distance);
+    contact.rest_gap = std::min(contact.rest_gap, contact.gap);
+    contact.barrier_width = std::min(
+        contact.barrier_width, k_barrier_fraction * separation(candidate.kind, start).distance);
     return contact;
 }
 
-void remember(std::span<const Contact> contacts,
-              std::span<const Vec3> start,
-              std::span<const Vec3> end,
-              std::vector<ContactMemory>& memory) {
-    memory.clear();
-    for (const Contact& contact : contacts) {
-        Vec3 moved = contact.driven;
-        for (std::size_t i = 0; i < 4; ++i) {
-            const Index v = contact.vertices[i];
-            if (v != k_no_index) {
-                moved += contact.weights[i] * (end[at(v)] - start[at(v)]);
-            }
-        }
-        const double gap = contact.gap + contact.normal.dot(moved);
-        if (contact.impulse > 0.0) {
-            const double rest = contact.met ? std::min(contact.rest, gap) : contact.rest;
-            memory.push_back({contact.pair, rest, contact.slip, contact.slides ? 1 : 0});
-        } else if (!contact.met && contact.rest < contact.thickness && gap < contact.thickness) {
-            memory.push_back({contact.pair, contact.rest, Vec3::Zero(), 0});
-        }
-    }
-    // Of several that met in one pair the first stays.
-    std::stable_sort(memory.begin(), memory.end(),
-                     [](const auto& a, const auto& b) { return a.pair < b.pair; });
-    memory.erase(std::unique(memory.begin(), memory.end(),
-                             [](const auto& a, const auto& b) { return a.pair == b.pair; }),
-                 memory.end());
-}
-
 ContactRow guard_row(const Contact& contact, double dt) {
-    const double least_gap = std::min((1.0 - k_room) * contact.thickness, 0.8 * contact.gap);
+    const double least_gap =
+        std::min((1.0 - k_barrier_fraction) * contact.thickness, 0.8 * contact.gap);
     return {.vertices = contact.pair,
             .weights = contact.weights,
             .kind = contact.kind,

@@ -1,45 +1,43 @@
 #pragma once
 
+#include "base/parallel.h"
 #include "collide/contact.h"
+#include "collide/friction_history.h"
 #include "collide/impact.h"
-#include "collide/legacy_shares.h"
+
+#include <optional>
 
 namespace weft {
+
+/// Is the connection of a pair the shortest one there, seen from the whole surfaces? A vertex that
+/// slides over a face is near to the sides of the next face too; such a connection leans, and would
+/// brake the vertex. True when no triangle beside the closest points comes nearer, and for one of
+/// the several pairs that have the same closest points.
+bool is_nearest_here(const ContactSurface& surface,
+                     const Candidate& candidate,
+                     const Separation& place);
+
+/// Where a pair stands when it is nearer than its reach and nearest there, else nothing.
+std::optional<Separation> near_place(const ContactSurface& surface, const Candidate& candidate);
 
 /// Makes what the implicit solve carries of pairs that are near, or that meet.
 class ContactSearch {
 public:
     /// Contacts of all pairs that are near at the start, in the order of the candidates, with what
-    /// `memory` (sorted by pair) knows of them.
+    /// `history` (sorted by pair) knows of them.
     ///
     /// A pair pushes from the thickness inwards. One that is nearer when it is first seen pushes
     /// only from where it is, and its rest gap grows to the thickness by a tenth of what is missing
-    /// a substep, k_parting_rate of it a second: cloth that starts in the skin comes out slowly. A
-    /// pair that takes over from one beside it, as cloth slides on, takes over its rest gap and
-    /// that it slides; where the mesh was adapted, also its part of the legacies there.
+    /// a substep, k_parting_rate of it a second: cloth that starts in the skin comes out slowly.
     void find(const ContactSurface& surface,
               std::span<const Candidate> candidates,
-              std::span<const ContactMemory> memory,
+              std::span<const FrictionHistory> history,
               double dt,
               std::vector<Contact>& contacts);
 
 private:
-    /// What the pairs that a vertex was in hand on to those that take over from them.
-    struct VertexMemory {
-        double rest = 0.0; ///< greatest, m
-        bool slides = false;
-    };
-
-    void note_vertices(const ContactSurface& surface, std::span<const ContactMemory> memory);
-    void recall(const ContactSurface& surface,
-                std::span<const ContactMemory> memory,
-                double dt,
-                Contact& contact) const;
-
-    std::vector<VertexMemory> of_vertex_; ///< #V deformable
-    bool has_legacies_ = false;
-    LegacyShares shares_;
-    std::vector<std::vector<Contact>> found_; ///< a chunk of candidates
+    FrictionRecall recall_;
+    ChunkLists<Contact> chunks_;
 };
 
 /// The contact of a pair that meets at time `toi` of the substep, seen as it stands then: the sides

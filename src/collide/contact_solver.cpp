@@ -1,9 +1,6 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "collide/contact_stages.h"
-#include "collide/left_pairs.h"
-
-#include <fmt/core.h>
 
 namespace weft {
 
@@ -21,16 +18,7 @@ bool same_places(std::span<const Vec3> a, std::span<const Vec3> b) {
 
 ContactSolver::Impl::Impl(const World& world, const ContactParams& contact)
     : params(contact), surface(make_surface(world, contact)), broad_phase(surface, meets_self()),
-      crossing_search(surface, meets_self()) {
-    for (const ContactObject& object : surface.objects) {
-        if (contact.self && object.least_thickness < object.thickness) {
-            warnings.push_back(fmt::format(
-                "{}: contact thickness {:g} m is coarse for some of its triangles; down to "
-                "{:.3g} m is used there between cloth and cloth",
-                object.name, object.thickness, object.least_thickness));
-        }
-    }
-}
+      crossing_search(surface, meets_self()) {}
 
 void ContactSolver::Impl::find_candidates(double dt) {
     const Stopwatch watch;
@@ -59,7 +47,7 @@ void ContactSolver::Impl::measure_end(double dt,
         }
         return separation(row.kind, x).distance;
     };
-    for (const auto* rows : {&proximities, &impact_rows}) {
+    for (const auto* rows : {&guard_rows, &impact_rows}) {
         report.min_gap =
             std::min(report.min_gap, parallel_reduce(
                                          rows->size(), report.min_gap,
@@ -71,10 +59,10 @@ void ContactSolver::Impl::measure_end(double dt,
         const auto crossings = crossing_search.find(surface, ends);
         report.unresolved = std::max(left, static_cast<int>(crossings.size()));
         if (left > 0) {
-            report.problems = describe_left(surface, candidates, impacts, ends);
+            report.pairs = describe_unresolved(surface, candidates, impacts, ends);
         }
         for (const auto& pair : crossings) {
-            report.problems.push_back(describe_crossing(surface, ends, pair));
+            report.pairs.push_back(describe_crossing(surface, ends, pair));
         }
     }
     if (report.unresolved == 0) {
@@ -83,19 +71,13 @@ void ContactSolver::Impl::measure_end(double dt,
     }
 }
 
-ContactReport ContactSolver::Impl::resolve(double dt,
-                                           std::optional<std::span<const Contact>> contacts) {
+ContactReport ContactSolver::Impl::resolve(double dt, std::span<const Contact> contacts) {
     ContactReport report;
     look.assign(surface.start.size(), 0);
     const bool clean_before = is_clean_start();
     report.was_clean = clean_before;
-    if (contacts) {
-        guard(*contacts, dt, report);
-    } else {
-        find_candidates(dt);
-        settle_proximities(dt, report);
-    }
-    const int left = contacts && clean_motion ? 0 : resolve_impacts(dt, report);
+    guard(contacts, dt, report);
+    const int left = clean_motion ? 0 : resolve_impacts(dt, report);
     measure_end(dt, clean_before, left, report);
     report.seconds_broad += std::exchange(seconds_broad, 0.0);
     report.seconds_proximity += std::exchange(seconds_proximity, 0.0);
@@ -139,10 +121,6 @@ void ContactSolver::remesh(const World& world, std::span<const Vec3> start) {
     }
 }
 
-const std::vector<std::string>& ContactSolver::warnings() const {
-    return impl_->warnings;
-}
-
 void ContactSolver::find_contacts(const World& world,
                                   std::span<const char> held,
                                   double dt,
@@ -155,7 +133,7 @@ void ContactSolver::find_contacts(const World& world,
     impl_->find_candidates(dt);
     impl_->clean_motion = false;
     const Stopwatch watch;
-    impl_->contact_search.find(impl_->surface, impl_->candidates, world.contact_memory, dt,
+    impl_->contact_search.find(impl_->surface, impl_->candidates, world.friction_history, dt,
                                contacts);
     impl_->seconds_proximity += watch.seconds();
 }
@@ -176,7 +154,7 @@ ContactReport ContactSolver::resolve(const World& world,
                                      std::span<Vec3> velocities,
                                      std::span<const char> held,
                                      double dt,
-                                     std::optional<std::span<const Contact>> contacts) {
+                                     std::span<const Contact> contacts) {
     if (!impl_->params.enabled) {
         return {};
     }

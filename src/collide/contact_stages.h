@@ -1,19 +1,20 @@
 #pragma once
 
-#include "collide/contact.h"
 #include "collide/contact_search.h"
+#include "collide/contact_solver.h"
 #include "collide/crossings.h"
 #include "collide/impact.h"
-#include "collide/islands.h"
-#include "collide/proximity.h"
+#include "collide/impact_zones.h"
 
-// The stages of one substep, methods of Bridson et al. 2002, Harmon et al. 2008 and Provot 1997:
+// The stages of contact in one substep, after Bridson et al. 2002, Harmon et al. 2008 and Provot
+// 1997:
 //
-// 1. pairs that are near or meet are carried by the implicit solve (contact_search.h); without it
-//    proximities are set right with friction, at the start positions, to convergence;
-// 2. impacts of the straight motion: impulses pair by pair, all impacts so far in each round;
-// 3. zones: what is still met is solved together with the pairs of 1, until it fits;
-// 4. islands that still do not fit are cut back (islands.h), which ends.
+// 1. The implicit solve carries the pairs that are near, or that its motion makes meet
+//    (contact_search.h).
+// 2. Impacts that are left get impulses, pair by pair, all impacts so far in each round.
+// 3. Zones: what still meets is solved together with the pairs of 1, until it fits.
+// 4. The fail-safe scales down the motion of zones that still do not fit (impact_zones.h), which
+//    comes to an end.
 //
 // Whatever is accepted was tested: no candidate that a vertex of changed velocity belongs to is
 // left out of the last search. The search keeps a smaller distance in stage 4 than before it, so
@@ -21,23 +22,21 @@
 
 namespace weft {
 
-/// What impacts keep apart before the last resort, and in it.
-inline constexpr ImpactLimit k_impulse_limit{.thickness_share = 0.3, .start_share = 0.8};
-inline constexpr ImpactLimit k_final_limit{.thickness_share = 0.1, .start_share = 0.5};
+/// The distance that impacts keep before the fail-safe, and in it.
+inline constexpr ImpactLimit k_impulse_limit{.thickness_fraction = 0.3, .start_fraction = 0.8};
+inline constexpr ImpactLimit k_final_limit{.thickness_fraction = 0.1, .start_fraction = 0.5};
 
 struct ContactSolver::Impl {
     ContactParams params;
     ContactSurface surface;
     BroadPhase broad_phase;
     ContactSearch contact_search;
-    ProximitySearch proximity_search;
     ImpactSearch impact_search;
     CrossingSearch crossing_search;
-    Islands islands;
-    std::vector<std::string> warnings;
+    ImpactZones zones;
 
     std::vector<Candidate> candidates;
-    std::vector<ContactRow> proximities, impact_rows;
+    std::vector<ContactRow> guard_rows, impact_rows; ///< of what the solve carried; of impacts
     std::vector<Impact> impacts;
     std::vector<char> look;            ///< #V of the surface: changed since the last search
     std::vector<Vec3> solved_velocity; ///< #V of the surface: before impulses
@@ -55,17 +54,16 @@ struct ContactSolver::Impl {
     /// Whether what moves by forces is looked at against itself: bodies always are.
     bool meets_self() const { return params.self || !surface.bodies.empty(); }
 
-    ContactReport resolve(double dt, std::optional<std::span<const Contact>> contacts);
+    ContactReport resolve(double dt, std::span<const Contact> contacts);
     void find_candidates(double dt);
-    void settle_proximities(double dt, ContactReport& report);
     void guard(std::span<const Contact> contacts, double dt, ContactReport& report);
     bool find_impacts(double dt, std::vector<Contact>& contacts);
     int resolve_impacts(double dt, ContactReport& report);
     bool pass_of_impulses(int pass, double dt, ContactReport& report);
-    int cut_back_rest(double dt, ContactReport& report);
+    int scale_zones(double dt, ContactReport& report);
     bool stop_cloths(double dt);
     void find_all_impacts(double dt);
-    void yield();
+    void accept_unresolved();
     void count_zones(ContactReport& report);
     void measure_end(double dt, bool clean_before, int left, ContactReport& report);
     bool is_clean_start();

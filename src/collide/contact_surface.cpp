@@ -1,9 +1,11 @@
 #include "collide/contact_surface.h"
 
 #include "base/parallel.h"
+#include "collide/friction.h"
 #include "state/rigid_motion.h"
 
 #include <Eigen/Dense>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cassert>
@@ -22,32 +24,52 @@ void add_mesh(ContactSurface& surface,
     object.first_triangle = static_cast<Index>(surface.triangles.size());
     object.triangle_count = static_cast<Index>(triangles.size());
     surface.object_of_vertex.resize(at(object.first_vertex + object.vertex_count), index);
-    std::vector<char> spoken_for(at(object.vertex_count), 0);
+    std::vector<char> is_represented(at(object.vertex_count), 0);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         Triangle triangle = triangles[t];
         std::uint8_t owned = 0;
-        std::array<Index, 3> across{};
+        std::array<Index, 3> opposite{};
         for (std::size_t k = 0; k < 3; ++k) {
-            char& vertex = spoken_for[at(triangle[k])];
+            char& vertex = is_represented[at(triangle[k])];
             owned = static_cast<std::uint8_t>(owned | (vertex ? 0 : 1 << k));
             vertex = 1;
             const MeshEdge& edge = topology.edges[at(topology.triangle_edges[t][k])];
             const bool first = edge.triangle[0] == static_cast<Index>(t);
             owned = static_cast<std::uint8_t>(owned | (first ? 8 << k : 0));
             const Index apex = edge.apex[first ? 1 : 0];
-            across[k] = apex == k_no_index ? k_no_index : object.first_vertex + apex;
+            opposite[k] = apex == k_no_index ? k_no_index : object.first_vertex + apex;
             triangle[k] += object.first_vertex;
         }
-        surface.across.push_back(across);
+        surface.opposite.push_back(opposite);
         surface.triangles.push_back(triangle);
         surface.owned.push_back(owned);
+    }
+    if (object.id.index == 0) {
+        surface.first_of_kind[static_cast<std::size_t>(object.id.kind)] = index;
     }
     surface.objects.push_back(std::move(object));
 }
 
+void add_cloth(ContactSurface& surface, const Cloth& cloth, ObjectId id) {
+    const FabricParams& fabric = cloth.params.fabric;
+    ContactObject object{.name = cloth.name, .id = id};
+    object.first_vertex = cloth.first_vertex;
+    object.vertex_count = cloth.vertex_count;
+    object.thickness = fabric.thickness;
+    object.least_thickness = fabric.thickness;
+    for (const double finest : finest_thickness(cloth)) {
+        surface.self_thickness.push_back(std::min(fabric.thickness, finest));
+        object.least_thickness = std::min(object.least_thickness, surface.self_thickness.back());
+    }
+    object.friction = fabric.friction;
+    object.static_friction = fabric.static_friction.value_or(fabric.friction);
+    add_mesh(surface, std::move(object), cloth.triangles, cloth.topology);
+}
+
 /// Adds what a body carries; its particles belong to the object, too.
-void add_body(ContactSurface& surface, const Body& body, ContactBody carried) {
+void add_body(ContactSurface& surface, const Body& body, ObjectId id, ContactBody carried) {
     ContactObject object{.name = body.name,
+                         .id = id,
                          .first_vertex = body.first_vertex,
                          .vertex_count = body.vertex_count,
                          .thickness = body.thickness,
@@ -66,6 +88,22 @@ void add_body(ContactSurface& surface, const Body& body, ContactBody carried) {
     carried.first_particle = body.first_particle;
     carried.particle_count = body.particle_count;
     surface.bodies.push_back(carried);
+}
+
+/// Adds an obstacle, whose vertices come next; returns how many they are.
+Index add_obstacle(ContactSurface& surface,
+                   const Obstacle& obstacle,
+                   ObjectId id,
+                   Index first_vertex) {
+    ContactObject object{.name = obstacle.name, .id = id};
+    object.first_vertex = first_vertex;
+    object.vertex_count = static_cast<Index>(obstacle.mesh.positions.size());
+    object.friction = obstacle.params.friction;
+    object.static_friction = obstacle.params.static_friction.value_or(object.friction);
+    object.deforms = deforms(obstacle);
+    const Index count = object.vertex_count;
+    add_mesh(surface, std::move(object), obstacle.mesh.triangles, obstacle.topology);
+    return count;
 }
 
 /// Lists the neighbours of each vertex.
@@ -94,18 +132,9 @@ void build_rings(ContactSurface& surface, std::size_t vertices) {
     }
 }
 
-const FrictionPair*
-find_pair(std::span<const FrictionPair> table, const std::string& a, const std::string& b) {
-    const std::array<std::string, 2> names{a, b};
-    const auto found = std::find_if(table.begin(), table.end(), [&](const FrictionPair& pair) {
-        return std::is_permutation(names.begin(), names.end(), pair.between.begin());
-    });
-    return found == table.end() ? nullptr : &*found;
-}
-
 bool are_off(const ContactSurface& surface, std::size_t a, std::size_t b, bool cloth_meets_cloth) {
     const auto is_cloth = [&](std::size_t i) {
-        return !surface.objects[i].is_obstacle && surface.objects[i].body == k_no_index;
+        return surface.objects[i].id.kind == ObjectKind::Cloth;
     };
     return (a == b && !surface.objects[a].touches_itself) ||
            (!cloth_meets_cloth && is_cloth(a) && is_cloth(b));
@@ -114,17 +143,24 @@ bool are_off(const ContactSurface& surface, std::size_t a, std::size_t b, bool c
 PairRule rule_between(const ContactObject& a,
                       const ContactObject& b,
                       std::span<const FrictionPair> friction) {
-    const bool both_deformable = !a.is_obstacle && !b.is_obstacle;
+    const bool both_deformable = !a.id.is_obstacle() && !b.id.is_obstacle();
     const double thickness =
         both_deformable ? 0.5 * (a.thickness + b.thickness) : std::max(a.thickness, b.thickness);
-    if (const FrictionPair* pair = find_pair(friction, a.name, b.name)) {
-        return {thickness, pair->friction, pair->static_friction.value_or(pair->friction)};
-    }
-    return {thickness, std::sqrt(a.friction * b.friction),
-            std::sqrt(a.static_friction * b.static_friction)};
+    const FrictionCoefficients coefficients = friction_between(a, b, friction);
+    return {thickness, coefficients.kinetic, coefficients.sticking};
 }
 
-/// After their particles: what it takes to move a carried vertex, and rigid bodies as a whole.
+void add_rules(ContactSurface& surface, const ContactParams& contact) {
+    for (std::size_t a = 0; a < surface.objects.size(); ++a) {
+        for (std::size_t b = 0; b < surface.objects.size(); ++b) {
+            surface.rules.push_back(
+                rule_between(surface.objects[a], surface.objects[b], contact.friction));
+            surface.rules.back().is_off = are_off(surface, a, b, contact.self);
+        }
+    }
+}
+
+/// Takes the masses of carried vertices and of rigid bodies from their particles.
 void place_bodies(ContactSurface& surface) {
     for (ContactBody& body : surface.bodies) {
         parallel_for(at(body.vertex_count), [&](std::size_t i) {
@@ -142,6 +178,23 @@ void place_bodies(ContactSurface& surface) {
                                surface.start[p + 3]};
             body.centre = 0.25 * (x[0] + x[1] + x[2] + x[3]);
             body.inverse_inertia = (body.mass * inertia_of(x)).inverse();
+        }
+    }
+}
+
+/// Calls f(v, w) and f(w, v) for each two vertices on the two sides of a joined pair.
+template <typename F> void for_each_joined(const World& world, const F& f) {
+    for (std::size_t i = 0; i < world.attached_pairs.size(); ++i) {
+        if (world.attached_states[i].is_joined == 0) {
+            continue;
+        }
+        const AttachedPair& pair = world.attached_pairs[i];
+        for (std::size_t a = 0; a < 6; ++a) {
+            for (std::size_t b = 0; b < 6; ++b) {
+                if (pair.weights[a] * pair.weights[b] < 0.0) {
+                    f(pair.vertices[a], pair.vertices[b]);
+                }
+            }
         }
     }
 }
@@ -211,51 +264,79 @@ std::vector<double> finest_thickness(const Cloth& cloth) {
     return finest;
 }
 
+std::vector<std::string> thickness_warnings(const World& world, const ContactParams& contact) {
+    std::vector<std::string> warnings;
+    for (const Cloth& cloth : world.cloths) {
+        const std::vector<double> finest = finest_thickness(cloth);
+        const double thickness = cloth.params.fabric.thickness;
+        const double least = *std::min_element(finest.begin(), finest.end());
+        if (contact.enabled && contact.self && least < thickness) {
+            warnings.push_back(fmt::format(
+                "{}: contact thickness {:g} m is coarse for some of its triangles; down to "
+                "{:.3g} m is used there between cloth and cloth",
+                cloth.name, thickness, least));
+        }
+    }
+    return warnings;
+}
+
+bool ContactSurface::are_joined(Index a, Index b) const {
+    return std::binary_search(joined.begin() + joined_begin[at(a)],
+                              joined.begin() + joined_begin[at(a) + 1], b);
+}
+
+void join_seams(ContactSurface& surface, const World& world) {
+    surface.joined_begin.clear();
+    surface.joined.clear();
+    std::size_t links = 0;
+    for_each_joined(world, [&](Index, Index) { ++links; });
+    if (links == 0) {
+        return;
+    }
+    surface.joined_begin.assign(surface.start.size() + 1, 0);
+    for_each_joined(world, [&](Index v, Index) { ++surface.joined_begin[at(v) + 1]; });
+    for (std::size_t v = 0; v < surface.start.size(); ++v) {
+        surface.joined_begin[v + 1] += surface.joined_begin[v];
+    }
+    surface.joined.resize(links);
+    // each list is filled through the entry of its end, which starts where the list begins
+    for (std::size_t v = surface.start.size(); v > 0; --v) {
+        surface.joined_begin[v] = surface.joined_begin[v - 1];
+    }
+    for_each_joined(world, [&](Index v, Index w) {
+        surface.joined[at(surface.joined_begin[at(v) + 1]++)] = w;
+    });
+    for (std::size_t v = 0; v < surface.start.size(); ++v) {
+        const auto begin = surface.joined.begin() + surface.joined_begin[v];
+        std::sort(begin, surface.joined.begin() + surface.joined_begin[v + 1]);
+    }
+}
+
 ContactSurface make_surface(const World& world, const ContactParams& contact) {
     ContactSurface surface;
-    for (const Cloth& cloth : world.cloths) {
-        const FabricParams& fabric = cloth.params.fabric;
-        ContactObject object{.name = cloth.name, .is_obstacle = false};
-        object.first_vertex = cloth.first_vertex;
-        object.vertex_count = cloth.vertex_count;
-        object.thickness = fabric.thickness;
-        object.least_thickness = fabric.thickness;
-        for (const double finest : finest_thickness(cloth)) {
-            surface.self_thickness.push_back(std::min(fabric.thickness, finest));
-            object.least_thickness =
-                std::min(object.least_thickness, surface.self_thickness.back());
-        }
-        object.friction = fabric.friction;
-        object.static_friction = fabric.static_friction.value_or(fabric.friction);
-        add_mesh(surface, std::move(object), cloth.triangles, cloth.topology);
-    }
-    for (const Solid& solid : world.solids) {
-        add_body(surface, solid.body, {});
-    }
-    for (const RigidBody& rigid : world.rigids) {
-        add_body(surface, rigid.body, {.is_rigid = true, .mass = rigid.params.mass});
-    }
     surface.carriers = make_carrier_table(world);
     surface.deformable_vertices = static_cast<Index>(world.vertex_count());
-    surface.deformable_triangles = static_cast<Index>(surface.triangles.size());
-    auto next_vertex = surface.deformable_vertices;
-    for (const Obstacle& obstacle : world.obstacles) {
-        ContactObject object{.name = obstacle.name, .is_obstacle = true};
-        object.first_vertex = next_vertex;
-        object.vertex_count = static_cast<Index>(obstacle.mesh.positions.size());
-        object.friction = obstacle.params.friction;
-        object.deforms = deforms(obstacle);
-        object.static_friction = obstacle.params.static_friction.value_or(object.friction);
-        next_vertex += object.vertex_count;
-        add_mesh(surface, std::move(object), obstacle.mesh.triangles, obstacle.topology);
-    }
-    for (std::size_t a = 0; a < surface.objects.size(); ++a) {
-        for (std::size_t b = 0; b < surface.objects.size(); ++b) {
-            surface.rules.push_back(
-                rule_between(surface.objects[a], surface.objects[b], contact.friction));
-            surface.rules.back().is_off = are_off(surface, a, b, contact.self);
+    Index next_vertex = surface.deformable_vertices;
+    for (const ObjectId id : objects_of(world)) {
+        const std::size_t i = at(id.index);
+        switch (id.kind) {
+        case ObjectKind::Cloth:
+            add_cloth(surface, world.cloths[i], id);
+            break;
+        case ObjectKind::Solid:
+            add_body(surface, world.solids[i].body, id, {});
+            break;
+        case ObjectKind::Rigid:
+            add_body(surface, world.rigids[i].body, id,
+                     {.is_rigid = true, .mass = world.rigids[i].params.mass});
+            break;
+        case ObjectKind::Obstacle:
+            next_vertex += add_obstacle(surface, world.obstacles[i], id, next_vertex);
+            continue;
         }
+        surface.deformable_triangles = static_cast<Index>(surface.triangles.size());
     }
+    add_rules(surface, contact);
     const std::size_t vertices = at(next_vertex);
     surface.object_of_vertex.resize(vertices, 0);
     build_rings(surface, vertices);
@@ -281,10 +362,11 @@ void place_surface(ContactSurface& surface,
         surface.inverse_mass[i] = held[i] ? 0.0 : 1.0 / world.masses[i];
     });
     place_bodies(surface);
-    for (std::size_t o = 0; o < world.obstacles.size(); ++o) {
-        const Obstacle& obstacle = world.obstacles[o];
-        ContactObject& object =
-            surface.objects[surface.objects.size() - world.obstacles.size() + o];
+    for (ContactObject& object : surface.objects) {
+        if (!object.id.is_obstacle()) {
+            continue;
+        }
+        const Obstacle& obstacle = world.obstacles[at(object.id.index)];
         if (object.deforms) {
             place_deforming(surface, object, obstacle, world.time, dt);
         } else {

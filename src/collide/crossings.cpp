@@ -1,9 +1,7 @@
 #include "collide/crossings.h"
 
 #include "base/parallel.h"
-#include "collide/contact.h"
 #include "geometry/crossing.h"
-#include "state/world_objects.h"
 
 #include <cassert>
 
@@ -24,21 +22,6 @@ SharedCorners shared_corners(const ContactSurface& surface, const Triangle& s, c
 
 } // namespace
 
-ContactProblem describe_crossing(const ContactSurface& surface,
-                                 std::span<const Vec3> x,
-                                 const std::array<Index, 2>& pair) {
-    ContactProblem crossing{
-        .objects{},
-        .triangles{},
-        .place = crossing_place(surface.triangles[at(pair[0])], surface.triangles[at(pair[1])], x)};
-    for (std::size_t side = 0; side < 2; ++side) {
-        const Index object = surface.object_of_vertex[at(surface.triangles[at(pair[side])][0])];
-        crossing.objects[side] = object;
-        crossing.triangles[side] = pair[side] - surface.objects[at(object)].first_triangle;
-    }
-    return crossing;
-}
-
 bool triangles_cross(const ContactSurface& surface,
                      Index s,
                      Index t,
@@ -51,8 +34,8 @@ bool triangles_cross(const ContactSurface& surface,
 CrossingSearch::CrossingSearch(const ContactSurface& surface, bool self)
     : self_(self), boxes_(surface.triangles.size()) {}
 
-std::vector<std::array<Index, 2>> CrossingSearch::find(const ContactSurface& surface,
-                                                       std::span<const Vec3> positions) {
+std::vector<TrianglePair> CrossingSearch::find(const ContactSurface& surface,
+                                               std::span<const Vec3> positions) {
     assert(positions.size() == surface.start.size());
     parallel_for(surface.triangles.size(), [&](std::size_t i) {
         const Triangle& t = surface.triangles[i];
@@ -70,26 +53,21 @@ std::vector<std::array<Index, 2>> CrossingSearch::find(const ContactSurface& sur
     };
     fit(deformables_, std::span(boxes_).first(at(split)));
     fit(obstacles_, std::span(boxes_).subspan(at(split)));
-    std::vector<std::array<Index, 2>> crossings;
+    std::vector<TrianglePair> crossings;
     const auto gather = [&](const BoxTree& a, const BoxTree& b, Index first_b) {
         BoxTree::split(a, b, k_tasks, tasks_);
-        found_.resize(std::max(found_.size(), tasks_.size()));
-        parallel_for(
+        parallel_collect(
             tasks_.size(),
-            [&](std::size_t i) {
-                found_[i].clear();
+            [&](std::size_t i, auto& found) {
                 BoxTree::overlaps(a, b, tasks_[i], [&](Index s, Index t) {
                     const Index other = first_b + t;
                     if (!surface.is_off(s, other) &&
                         triangles_cross(surface, s, other, positions)) {
-                        found_[i].push_back({std::min(s, other), std::max(s, other)});
+                        found.push_back({std::min(s, other), std::max(s, other)});
                     }
                 });
             },
-            1);
-        for (std::size_t i = 0; i < tasks_.size(); ++i) {
-            crossings.insert(crossings.end(), found_[i].begin(), found_[i].end());
-        }
+            tasks_found_, crossings, 1);
     };
     if (self_) {
         gather(deformables_, deformables_, 0);
@@ -104,7 +82,7 @@ WorldCrossings::WorldCrossings(const World& world, bool self)
       surface_(make_surface(world, {.self = self})),
       search_(surface_, self || !surface_.bodies.empty()) {}
 
-std::vector<ContactProblem> WorldCrossings::find(const World& world, double time) {
+std::vector<UnresolvedPair> WorldCrossings::find(const World& world, double time) {
     if (adaptations_ != adaptations_of(world)) {
         *this = WorldCrossings(world, self_);
     }
@@ -116,22 +94,16 @@ std::vector<ContactProblem> WorldCrossings::find(const World& world, double time
         next += count;
     }
     join_seams(surface_, world);
-    std::vector<ContactProblem> crossings;
+    std::vector<UnresolvedPair> crossings;
     for (const auto& pair : search_.find(surface_, surface_.start)) {
         crossings.push_back(describe_crossing(surface_, surface_.start, pair));
     }
     return crossings;
 }
 
-std::vector<CrossingPair> find_crossings(const World& world, std::size_t limit) {
-    std::vector<CrossingPair> pairs;
-    for (const ContactProblem& p : WorldCrossings(world, true).find(world, world.time)) {
-        if (pairs.size() == limit) {
-            break;
-        }
-        pairs.push_back({object_name(world, p.objects[0]), object_name(world, p.objects[1]),
-                         p.triangles[0], p.triangles[1], p.place});
-    }
+std::vector<UnresolvedPair> find_crossings(const World& world, std::size_t limit) {
+    std::vector<UnresolvedPair> pairs = WorldCrossings(world, true).find(world, world.time);
+    pairs.resize(std::min(pairs.size(), limit));
     return pairs;
 }
 

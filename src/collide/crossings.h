@@ -1,6 +1,7 @@
 #pragma once
 
-#include "collide/contact.h"
+#include "base/parallel.h"
+#include "collide/contact_report.h"
 #include "collide/contact_surface.h"
 #include "geometry/box_tree.h"
 
@@ -21,21 +22,15 @@ public:
 
     /// Pairs of triangles of the surface that cross at `positions` (#V of the surface), at least
     /// one of them deformable; sorted, each with its lower number first.
-    std::vector<std::array<Index, 2>> find(const ContactSurface& surface,
-                                           std::span<const Vec3> positions);
+    std::vector<TrianglePair> find(const ContactSurface& surface, std::span<const Vec3> positions);
 
 private:
     bool self_;
     std::vector<Box> boxes_; ///< #triangles
     BoxTree deformables_, obstacles_;
     std::vector<BoxTree::Task> tasks_;
-    std::vector<std::vector<std::array<Index, 2>>> found_; ///< a task
+    ChunkLists<TrianglePair> tasks_found_;
 };
-
-/// What is told of two triangles of the surface that cross at `positions`.
-ContactProblem describe_crossing(const ContactSurface& surface,
-                                 std::span<const Vec3> positions,
-                                 const std::array<Index, 2>& pair);
 
 /// The same search in a world as it stands: for tests and `--verify`, apart from the solver that it
 /// checks. Follows the world's mesh as it changes.
@@ -44,7 +39,7 @@ public:
     WorldCrossings(const World& world, bool self);
 
     /// Pairs that cross at world.positions with the obstacles where they are at `time` (s); sorted.
-    std::vector<ContactProblem> find(const World& world, double time);
+    std::vector<UnresolvedPair> find(const World& world, double time);
 
 private:
     bool self_;
@@ -52,5 +47,9 @@ private:
     ContactSurface surface_;
     CrossingSearch search_;
 };
+
+/// All pairs of crossing triangles at world.time where at least one is a deformable's, by the exact
+/// discrete test; sorted. At most `limit` of them.
+std::vector<UnresolvedPair> find_crossings(const World& world, std::size_t limit);
 
 } // namespace weft

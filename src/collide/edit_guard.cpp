@@ -9,8 +9,8 @@ namespace weft {
 
 namespace {
 
-/// Gap that an edit must leave, as a share of the wanted distance: what impacts leave, too.
-constexpr double k_least_share = 0.3;
+/// Gap that an edit must leave, as a fraction of the wanted distance: impacts leave as much.
+constexpr double k_least_fraction = 0.3;
 
 template <std::size_t N> Box box_of(const std::array<Vec3, N>& points, double margin) {
     Box box = segment_box(points[0], points[1], margin);
@@ -24,8 +24,8 @@ std::array<Vec3, 3> places(const Triangle& t, std::span<const Vec3> positions) {
     return {positions[at(t[0])], positions[at(t[1])], positions[at(t[2])]};
 }
 
-/// A triangle by the names that its vertices have on the surface as it was before the edits; new
-/// ones have names of their own.
+/// A triangle whose vertices are named by their numbers on the surface before the edits; new
+/// vertices have names of their own.
 struct Named {
     Triangle names;
     std::array<Vec3, 3> x;
@@ -87,10 +87,10 @@ bool EditGuard::is_clear_of(Index triangle,
         }
     }
     return hull_gap(corners, {ends_[at(t[0])], ends_[at(t[1])], ends_[at(t[2])]}) >
-           k_least_share * wanted;
+           k_least_fraction * wanted;
 }
 
-/// Edits at a common vertex are let be: they are looked at together at the end.
+/// Edits at a common vertex may overlap here: crosses() tests them together at the end.
 bool EditGuard::is_clear_of_edits(Index object,
                                   const Box& box,
                                   const std::array<Index, 4>& vertices) const {
@@ -106,10 +106,11 @@ bool EditGuard::is_clear_of_edits(Index object,
     });
 }
 
-bool EditGuard::may_sweep(Index object,
+bool EditGuard::may_sweep(Index cloth,
                           const std::array<Vec3, 4>& corners,
                           const std::array<Index, 4>& vertices) {
-    const Box box = box_of(corners, k_least_share * surface_.objects[at(object)].thickness);
+    const Index object = surface_.number_of({ObjectKind::Cloth, cloth});
+    const Box box = box_of(corners, k_least_fraction * surface_.objects[at(object)].thickness);
     bool is_clear = is_clear_of_edits(object, box, vertices);
     if (is_clear) {
         broad_phase_.for_each_near(surface_, box, [&](Index triangle) {
@@ -122,11 +123,11 @@ bool EditGuard::may_sweep(Index object,
     return is_clear;
 }
 
-bool EditGuard::crosses(Index object,
+bool EditGuard::crosses(Index index,
                         const Cloth& cloth,
                         std::span<const Vec3> positions,
                         const ClothChanges& changes) const {
-    const ContactObject& own = surface_.objects[at(object)];
+    const ContactObject& own = surface_.objects[at(surface_.number_of({ObjectKind::Cloth, index}))];
     std::vector<Named> named;
     std::vector<Box> boxes;
     for (const Index t : changes.triangles) {

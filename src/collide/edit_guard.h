@@ -5,11 +5,13 @@
 
 namespace weft {
 
-/// Says which local edits of a cloth's mesh leave contact as it is. An edit sweeps a tetrahedron;
-/// it is let be made where that stays clear of all surfaces, as they were before the first edit,
-/// but for the triangles at its own vertices, and of what other edits swept.
+/// Decides which local edits of a cloth's mesh are safe for contact. An edit moves the surface
+/// through a tetrahedron, and is allowed when two things stay clear of this tetrahedron: all
+/// triangles that do not touch its vertices, where they stood before the first edit; and the
+/// tetrahedra of the edits allowed before.
 ///
-/// Lives from one substep's contact to the mesh's change; what it was made of must stay meanwhile.
+/// Lives from the contact of one substep to the change of the mesh; the arguments of the
+/// constructor must stay meanwhile.
 class EditGuard {
 public:
     /// @param ends  #V of the surface: where the last substep ended, m
@@ -18,18 +20,18 @@ public:
               std::span<const Vec3> ends)
         : surface_(surface), broad_phase_(broad_phase), ends_(ends) {}
 
-    /// May a cloth's surface sweep this tetrahedron? When it may, it is taken as done.
-    /// @param object    number of the cloth
+    /// May a cloth's surface sweep this tetrahedron? If so, the edit counts as made.
+    /// @param cloth     its number in World
     /// @param corners   m
-    /// @param vertices  of the cloth; those that it did not have at first are told by their number
-    bool may_sweep(Index object,
+    /// @param vertices  of the cloth; new ones have numbers past its first vertex count
+    bool may_sweep(Index cloth,
                    const std::array<Vec3, 4>& corners,
                    const std::array<Index, 4>& vertices);
 
-    /// Does a triangle that edits changed cross any other one? Exact: the last word on all edits,
-    /// also on those side by side.
+    /// Does a triangle that edits changed cross any other one? The exact test of all edits
+    /// together, which may_sweep() has not made for neighbours.
     /// @param positions  #V of the cloth as it is now, m
-    bool crosses(Index object,
+    bool crosses(Index index,
                  const Cloth& cloth,
                  std::span<const Vec3> positions,
                  const ClothChanges& changes) const;

@@ -6,8 +6,6 @@ namespace weft {
 
 namespace {
 
-constexpr std::size_t k_chunk_candidates = 512;
-
 /// False when the bounds of what the sides sweep show that they stay further apart than `reach`.
 bool may_meet(PairKind kind, const PairPoints& start, const PairPoints& motion, double reach) {
     const std::size_t split = first_side(kind);
@@ -36,9 +34,8 @@ void ImpactSearch::find(const ContactSurface& surface,
                         double dt,
                         const ImpactLimit& limit,
                         std::vector<Impact>& impacts) {
-    const std::size_t chunks = (candidates.size() + k_chunk_candidates - 1) / k_chunk_candidates;
-    found_.resize(std::max(found_.size(), chunks));
-    const auto look_at = [&](std::size_t i, std::vector<Impact>& out) {
+    impacts.clear();
+    const auto look_at = [&](std::size_t i, std::vector<Impact>& found) {
         const auto& v = candidates[i].vertices;
         if (!look[at(v[0])] && !look[at(v[1])] && !look[at(v[2])] && !look[at(v[3])]) {
             return;
@@ -46,30 +43,17 @@ void ImpactSearch::find(const ContactSurface& surface,
         const double thickness = surface.thickness_of(v, candidates[i].kind);
         const PairPoints x = start_points(surface, v);
         const PairPoints motion = displacements(surface, v, dt);
-        const ApproachLimit nearest{limit.thickness_share * thickness, limit.start_share};
-        // Beyond the limit itself, the room that rounding needs.
+        const ApproachLimit nearest{limit.thickness_fraction * thickness, limit.start_fraction};
+        // Beyond the limit itself, the space that rounding needs.
         if (!may_meet(candidates[i].kind, x, motion, 1.01 * nearest.distance)) {
             return;
         }
         const auto toi = time_of_impact(candidates[i].kind, x, motion, nearest);
         if (toi && (*toi > 0.0 || separation(candidates[i].kind, x).distance > 0.0)) {
-            out.push_back({static_cast<Index>(i), *toi});
+            found.push_back({static_cast<Index>(i), *toi});
         }
     };
-    parallel_chunks(
-        candidates.size(),
-        [&](std::size_t begin, std::size_t end) {
-            auto& out = found_[begin / k_chunk_candidates];
-            out.clear();
-            for (std::size_t i = begin; i < end; ++i) {
-                look_at(i, out);
-            }
-        },
-        k_chunk_candidates);
-    impacts.clear();
-    for (std::size_t c = 0; c < chunks; ++c) {
-        impacts.insert(impacts.end(), found_[c].begin(), found_[c].end());
-    }
+    parallel_collect(candidates.size(), look_at, chunks_, impacts);
 }
 
 ContactRow

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/parallel.h"
 #include "collide/contact_row.h"
 #include "geometry/continuous.h"
 
@@ -13,8 +14,8 @@ struct Impact {
 
 /// How near pairs may come, by their thickness; the lesser of the two holds.
 struct ImpactLimit {
-    double thickness_share; ///< of the pair's thickness, (0, 1)
-    double start_share;     ///< of the pair's distance at the start, (0, 1)
+    double thickness_fraction; ///< of the pair's thickness, (0, 1)
+    double start_fraction;     ///< of the pair's distance at the start, (0, 1)
 };
 
 /// Continuous detection over candidates.
@@ -30,7 +31,7 @@ public:
               std::vector<Impact>& impacts);
 
 private:
-    std::vector<std::vector<Impact>> found_; ///< a chunk of candidates
+    ChunkLists<Impact> chunks_;
 };
 
 /// The condition that stops an impact: seen where the pair meets, the sides may use up the distance

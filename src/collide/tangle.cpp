@@ -2,7 +2,11 @@
 
 #include "base/parallel.h"
 #include "collide/crossings.h"
+#include "geometry/contour_gradient.h"
+#include "geometry/crossing.h"
+#include "geometry/separation.h"
 
+#include <algorithm>
 #include <tuple>
 
 namespace weft {
@@ -37,6 +41,88 @@ void fit(const Tangle& tangle,
     } else {
         tree.refit(boxes);
     }
+}
+
+bool share_vertex(const ContactSurface& surface, const Triangle& s, const Triangle& t) {
+    return std::any_of(s.begin(), s.end(), [&](Index v) { return surface.has_corner(t, v); });
+}
+
+void add_separation(const Tangle& tangle,
+                    PairKind kind,
+                    const std::array<Index, 4>& v,
+                    double clearance,
+                    std::vector<Push>& pushes) {
+    const double gap = clearance * tangle.surface.thickness_of(v, kind);
+    const Separation s = separation(
+        kind, {tangle.x[at(v[0])], tangle.x[at(v[1])], tangle.x[at(v[2])], tangle.x[at(v[3])]});
+    if (s.distance < gap && s.distance > 0.0) {
+        pushes.push_back({v, s.weights, s.normal, gap});
+    }
+}
+
+/// Corners of `owner` that it speaks for, against the other triangle.
+void add_vertex_faces(
+    const Tangle& tangle, Index owner, Index other, double clearance, std::vector<Push>& pushes) {
+    const Triangle& s = tangle.surface.triangles[at(owner)];
+    const Triangle& t = tangle.surface.triangles[at(other)];
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (tangle.surface.owns_corner(owner, k)) {
+            add_separation(tangle, PairKind::VertexFace, {s[k], t[0], t[1], t[2]}, clearance,
+                           pushes);
+        }
+    }
+}
+
+void add_edge_edges(
+    const Tangle& tangle, Index a, Index b, double clearance, std::vector<Push>& pushes) {
+    const Triangle& s = tangle.surface.triangles[at(a)];
+    const Triangle& t = tangle.surface.triangles[at(b)];
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            if (tangle.surface.owns_side(a, k) && tangle.surface.owns_side(b, j)) {
+                add_separation(tangle, PairKind::EdgeEdge,
+                               {s[(k + 1) % 3], s[(k + 2) % 3], t[(j + 1) % 3], t[(j + 2) % 3]},
+                               clearance, pushes);
+            }
+        }
+    }
+}
+
+/// The side of `s` opposite to corner k, if it pierces t: moved against t along the gradient of the
+/// contour.
+void add_contour_push(
+    const Tangle& tangle, Index s, std::size_t k, Index t, double step, std::vector<Push>& pushes) {
+    const Triangle& edge_of = tangle.surface.triangles[at(s)];
+    const Triangle& face = tangle.surface.triangles[at(t)];
+    const Index p = edge_of[(k + 1) % 3];
+    const Index q = edge_of[(k + 2) % 3];
+    const auto f = tangle.corners(t);
+    const Vec3& xp = tangle.x[at(p)];
+    const Vec3& xq = tangle.x[at(q)];
+    const bool shares = share_vertex(tangle.surface, {p, q, p}, face);
+    if (!tangle.surface.owns_side(s, k) || shares ||
+        !segment_meets_triangle(xp, xq, f[0], f[1], f[2])) {
+        return;
+    }
+    std::vector<Vec3> apexes{tangle.x[at(edge_of[k])]};
+    if (const Index apex = tangle.surface.opposite[at(s)][k]; apex != k_no_index) {
+        apexes.push_back(tangle.x[at(apex)]);
+    }
+    const auto normal = triangle_normal(f[0], f[1], f[2]);
+    const auto gradient = contour_gradient(xp, xq, apexes, normal);
+    if (!gradient) {
+        return;
+    }
+    const Vec3 moved = 0.5 * (xp + xq);
+    const Vec3 centre = (f[0] + f[1] + f[2]) / 3.0;
+    pushes.push_back({{p, q, k_no_index, k_no_index},
+                      {0.5, 0.5, 0.0, 0.0},
+                      *gradient,
+                      gradient->dot(moved) + step});
+    pushes.push_back({{face[0], face[1], face[2], k_no_index},
+                      {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0, 0.0},
+                      -*gradient,
+                      -gradient->dot(centre) + step});
 }
 
 } // namespace
@@ -93,21 +179,71 @@ void NearPairSearch::gather(const Tangle& tangle,
         return;
     }
     BoxTree::split(a, b, k_tasks, tasks_);
-    found_.resize(std::max(found_.size(), tasks_.size()));
-    parallel_for(
+    parallel_collect(
         tasks_.size(),
-        [&](std::size_t i) {
-            found_[i].clear();
+        [&](std::size_t i, std::vector<NearPair>& found) {
             BoxTree::overlaps(a, b, tasks_[i], [&](Index s, Index t) {
                 const Index first = moving_[at(s)];
                 const Index second = of_b[at(t)];
-                found_[i].push_back(
+                found.push_back(
                     {first, second, triangles_cross(tangle.surface, first, second, tangle.x)});
             });
         },
-        1);
-    for (std::size_t i = 0; i < tasks_.size(); ++i) {
-        pairs.insert(pairs.end(), found_[i].begin(), found_[i].end());
+        tasks_found_, pairs, 1);
+}
+
+void apply(const Push& push, double limit, Tangle& tangle) {
+    double value = -push.least;
+    double compliance = 0.0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        if (push.vertices[k] != k_no_index) {
+            const std::size_t v = at(push.vertices[k]);
+            value += push.weights[k] * push.normal.dot(tangle.x[v]);
+            compliance += push.weights[k] * push.weights[k] * tangle.mobility[v];
+        }
+    }
+    if (value >= 0.0 || compliance <= 0.0) {
+        return;
+    }
+    const double length = std::min(-value, limit) / compliance;
+    for (std::size_t k = 0; k < 4; ++k) {
+        if (push.vertices[k] != k_no_index) {
+            const std::size_t v = at(push.vertices[k]);
+            const double displacement =
+                std::clamp(length * push.weights[k] * tangle.mobility[v], -limit, limit);
+            tangle.x[v] += displacement * push.normal;
+        }
+    }
+}
+
+void find_clearance_pushes(const Tangle& tangle,
+                           std::span<const NearPair> pairs,
+                           double clearance,
+                           std::vector<Push>& pushes) {
+    for (const NearPair& pair : pairs) {
+        const bool neighbours =
+            share_vertex(tangle.surface, tangle.surface.triangles[at(pair.first)],
+                         tangle.surface.triangles[at(pair.second)]);
+        if (!pair.crosses && !neighbours) {
+            add_vertex_faces(tangle, pair.first, pair.second, clearance, pushes);
+            add_vertex_faces(tangle, pair.second, pair.first, clearance, pushes);
+            add_edge_edges(tangle, pair.first, pair.second, clearance, pushes);
+        }
+    }
+}
+
+void find_contour_pushes(const Tangle& tangle,
+                         std::span<const NearPair> pairs,
+                         double step,
+                         std::vector<Push>& pushes) {
+    for (const NearPair& pair : pairs) {
+        if (!pair.crosses || tangle.stands(pair.second)) {
+            continue;
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            add_contour_push(tangle, pair.first, k, pair.second, step, pushes);
+            add_contour_push(tangle, pair.second, k, pair.first, step, pushes);
+        }
     }
 }
 

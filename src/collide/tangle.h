@@ -1,15 +1,16 @@
 #pragma once
 
+#include "base/parallel.h"
 #include "collide/contact_surface.h"
 #include "geometry/box_tree.h"
 
 namespace weft {
 
-/// What an object does while crossings are taken apart.
+/// How an object takes part while crossings are taken apart.
 enum class TangleRole : std::uint8_t {
     Moves,  ///< cloth of the layer at hand
     Stands, ///< obstacles, and cloth of the layers below
-    Absent, ///< cloth of the layers above: its turn comes later
+    Absent, ///< cloth of the layers above, whose turn comes later
 };
 
 /// A surface of which part can be moved to take crossings apart.
@@ -70,7 +71,35 @@ private:
     BoxTree moving_tree_, standing_tree_;
     double standing_margin_ = -1.0; ///< that the tree of what stands was fitted with
     std::vector<BoxTree::Task> tasks_;
-    std::vector<std::vector<NearPair>> found_; ///< a task
+    ChunkLists<NearPair> tasks_found_;
 };
+
+/// A constraint on up to four vertices of a tangle: normal . (sum of weight times position) >=
+/// least.
+struct Push {
+    std::array<Index, 4> vertices; ///< k_no_index: none
+    std::array<double, 4> weights;
+    Vec3 normal; ///< unit
+    double least;
+};
+
+/// Moves the vertices of a push the shortest way, each by its mobility, to where it is met; by at
+/// most `limit` (m).
+void apply(const Push& push, double limit, Tangle& tangle);
+
+/// Constraints that keep pairs which do not cross apart by a clearance: vertices against faces and
+/// edges against edges, along their shortest connection.
+/// @param clearance  wanted, as a fraction of the pair's thickness
+void find_clearance_pushes(const Tangle& tangle,
+                           std::span<const NearPair> pairs,
+                           double clearance,
+                           std::vector<Push>& pushes);
+
+/// Constraints that shorten the curves in which moving cloth crosses itself or other moving cloth:
+/// each edge that pierces a face moves against it by `step` (m).
+void find_contour_pushes(const Tangle& tangle,
+                         std::span<const NearPair> pairs,
+                         double step,
+                         std::vector<Push>& pushes);
 
 } // namespace weft

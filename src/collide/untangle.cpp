@@ -8,19 +8,19 @@ namespace weft {
 
 namespace {
 
-/// Wanted distance after, as a share of the contact thickness. Larger: cloth moves more than it
-/// must; smaller: the simulation starts with contacts that hardly have room to act.
-constexpr double k_room = 0.5;
+/// Wanted distance after, as a fraction of the contact thickness. Larger: cloth moves more than it
+/// must; smaller: the simulation starts with contacts that hardly have space to act.
+constexpr double k_clearance = 0.5;
 
 /// Rounds after which a layer counts as not to be untangled.
-constexpr int k_most_rounds = 300;
+constexpr int k_max_rounds = 300;
 
 /// Rounds without fewer crossings than ever before after which it is given up. Smaller: cures that
 /// get worse before they get better are missed; larger: more time for what is hopeless.
 constexpr int k_stalled_rounds = 60;
 
-/// Rounds that make room once nothing crosses any more.
-constexpr int k_room_rounds = 20;
+/// Rounds that widen gaps once nothing crosses any more.
+constexpr int k_clearance_rounds = 20;
 
 /// Sweeps over springs and pushes a round. More: fewer, dearer rounds.
 constexpr int k_sweeps = 6;
@@ -29,16 +29,16 @@ constexpr int k_sweeps = 6;
 /// Smaller: fewer rounds, more distorted triangles.
 constexpr double k_yield_rounds = 20.0;
 
-/// Greatest way of a push, and step of a contour push, as shares of the mean edge. Larger: cloth is
-/// torn past what it should stop at; smaller: more rounds.
-constexpr double k_greatest_push = 0.25;
+/// Longest displacement of a push, and step of a contour push, as fractions of the mean edge.
+/// Larger: cloth is torn past what it should stop at; smaller: more rounds.
+constexpr double k_longest_push = 0.25;
 constexpr double k_contour_step = 0.1;
 
 /// Keeps two vertices at the distance that they had.
 struct Spring {
     Index a, b;
     double length;   ///< m
-    double strength; ///< share of the error that a sweep takes away
+    double strength; ///< fraction of the error that a sweep takes away
 };
 
 /// The edges, and across them the diagonals, which resist folding.
@@ -60,14 +60,15 @@ std::vector<Spring> springs_of(const Tangle& tangle, const Cloth& cloth) {
     return springs;
 }
 
-void pull(const Spring& spring, double share, Tangle& tangle) {
+void pull(const Spring& spring, double elasticity, Tangle& tangle) {
     Vec3& a = tangle.x[at(spring.a)];
     Vec3& b = tangle.x[at(spring.b)];
     const double length = (b - a).norm();
     if (length > 0.0) {
-        const Vec3 way = 0.5 * share * spring.strength * (1.0 - spring.length / length) * (b - a);
-        a += way;
-        b -= way;
+        const Vec3 displacement =
+            0.5 * elasticity * spring.strength * (1.0 - spring.length / length) * (b - a);
+        a += displacement;
+        b -= displacement;
     }
 }
 
@@ -86,14 +87,14 @@ public:
 private:
     std::size_t find_pairs();
     void relax(double elasticity);
-    void make_room();
+    void widen_gaps();
 
     Tangle& tangle_;
     BodyPushes bodies_;
     NearPairSearch search_;
     std::vector<Spring> springs_;
     double mean_edge_ = 0.0;
-    double margin_ = 0.0; ///< the widest room, m
+    double margin_ = 0.0; ///< the widest clearance, m
     std::vector<NearPair> pairs_;
     std::vector<Push> pushes_;
 };
@@ -102,17 +103,19 @@ LayerUntangler::LayerUntangler(Tangle& tangle, std::span<const Cloth> cloths, bo
     : tangle_(tangle), bodies_(tangle), search_(tangle, self) {
     double length = 0.0;
     std::size_t edges = 0;
-    for (std::size_t o = 0; o < cloths.size(); ++o) {
-        if (tangle.roles[o] == TangleRole::Moves) {
-            const auto springs = springs_of(tangle, cloths[o]);
+    for (std::size_t c = 0; c < cloths.size(); ++c) {
+        const Cloth& cloth = cloths[c];
+        const Index object = tangle.surface.number_of({ObjectKind::Cloth, static_cast<Index>(c)});
+        if (tangle.roles[at(object)] == TangleRole::Moves) {
+            const auto springs = springs_of(tangle, cloth);
             springs_.insert(springs_.end(), springs.begin(), springs.end());
-            margin_ = std::max(margin_, k_room * cloths[o].params.fabric.thickness);
-            for (const MeshEdge& edge : cloths[o].topology.edges) {
-                const Index first = cloths[o].first_vertex;
+            margin_ = std::max(margin_, k_clearance * cloth.params.fabric.thickness);
+            for (const MeshEdge& edge : cloth.topology.edges) {
+                const Index first = cloth.first_vertex;
                 length +=
                     (tangle.x[at(first + edge.v[0])] - tangle.x[at(first + edge.v[1])]).norm();
             }
-            edges += cloths[o].topology.edges.size();
+            edges += cloth.topology.edges.size();
         }
     }
     mean_edge_ = length / static_cast<double>(std::max<std::size_t>(edges, 1));
@@ -125,13 +128,13 @@ std::size_t LayerUntangler::find_pairs() {
 
 /// Springs and pushes in turn; the pushes have the last word.
 void LayerUntangler::relax(double elasticity) {
-    const double greatest = k_greatest_push * mean_edge_;
+    const double limit = k_longest_push * mean_edge_;
     for (int sweep = 0; sweep < k_sweeps; ++sweep) {
         for (const Spring& spring : springs_) {
             pull(spring, elasticity, tangle_);
         }
         for (const Push& push : pushes_) {
-            apply(push, greatest, tangle_);
+            apply(push, limit, tangle_);
         }
     }
 }
@@ -140,13 +143,13 @@ void LayerUntangler::relax(double elasticity) {
 std::size_t LayerUntangler::run(UntangleReport& report) {
     std::size_t least = find_pairs();
     int stalled = 0;
-    for (int round = 0; round < k_most_rounds && stalled < k_stalled_rounds; ++round) {
+    for (int round = 0; round < k_max_rounds && stalled < k_stalled_rounds; ++round) {
         pushes_.clear();
         if (count_crossing(pairs_) == 0) {
-            make_room();
+            widen_gaps();
             return 0;
         }
-        bodies_.find(tangle_, pairs_, k_room, pushes_);
+        bodies_.find(tangle_, pairs_, k_clearance, pushes_);
         find_contour_pushes(tangle_, pairs_, k_contour_step * mean_edge_, pushes_);
         relax(std::exp(-round / k_yield_rounds));
         ++report.rounds;
@@ -158,12 +161,12 @@ std::size_t LayerUntangler::run(UntangleReport& report) {
 }
 
 /// Pushes apart what is too near, as long as nothing crosses for it and it helps.
-void LayerUntangler::make_room() {
+void LayerUntangler::widen_gaps() {
     std::vector<Vec3> apart = tangle_.x;
     std::size_t least = std::numeric_limits<std::size_t>::max();
-    for (int round = 0; round < k_room_rounds; ++round) {
+    for (int round = 0; round < k_clearance_rounds; ++round) {
         pushes_.clear();
-        find_room_pushes(tangle_, pairs_, k_room, pushes_);
+        find_clearance_pushes(tangle_, pairs_, k_clearance, pushes_);
         if (pushes_.empty() || pushes_.size() >= least) {
             return;
         }
@@ -225,10 +228,11 @@ private:
 
     template <typename Role> void set_roles(const Role& role_of_cloth) {
         for (std::size_t o = 0; o < tangle_.roles.size(); ++o) {
+            const ObjectId object = tangle_.surface.objects[o].id;
             set_role(tangle_, o,
-                     o < cloths_.size() ? role_of_cloth(o)
-                     : from_.obstacles  ? TangleRole::Stands
-                                        : TangleRole::Absent);
+                     object.kind == ObjectKind::Cloth ? role_of_cloth(at(object.index))
+                     : from_.obstacles                ? TangleRole::Stands
+                                                      : TangleRole::Absent);
         }
     }
 
@@ -261,8 +265,8 @@ UntangleReport untangle(World& world, const UntangleFrom& from) {
     }
     report.pairs_after = untangler.count_crossings();
     for (std::size_t v = 0; v < world.vertex_count(); ++v) {
-        const double way = (tangle.x[v] - world.positions[v]).norm();
-        report.greatest_way = std::max(report.greatest_way, way);
+        const double displacement = (tangle.x[v] - world.positions[v]).norm();
+        report.max_displacement = std::max(report.max_displacement, displacement);
         world.positions[v] = tangle.x[v];
     }
     return report;

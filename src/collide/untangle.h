@@ -4,17 +4,17 @@
 
 namespace weft {
 
-/// What cloth is taken out of.
+/// The surfaces that cloth is taken out of.
 struct UntangleFrom {
     bool obstacles = true;
     bool cloth = true; ///< other cloth and itself
 };
 
 struct UntangleReport {
-    std::size_t pairs_before = 0; ///< of crossing triangles
-    std::size_t pairs_after = 0;
+    std::size_t pairs_before = 0; ///< pairs of triangles that crossed
+    std::size_t pairs_after = 0;  ///< pairs that still do
     int rounds = 0;
-    double greatest_way = 0.0; ///< that a vertex was moved, m
+    double max_displacement = 0.0; ///< of a vertex, m
 };
 
 /// Takes cloth that crosses apart by geometry alone: changes world.positions of the cloths, each
@@ -22,7 +22,7 @@ struct UntangleReport {
 /// behind an obstacle's surface goes to its outer side, and cloth to the outer side of cloth below
 /// it; cloth of one layer, and cloth that crosses itself, parts by shortening the curves in which
 /// it crosses. Meanwhile the cloth's edges pull towards the lengths that they had. Pinned vertices
-/// move like others. At the end what was near has some room.
+/// move like others. At the end what was near keeps a clearance of half the thickness.
 /// Source: Volino and Magnenat-Thalmann 2006; Baraff et al. 2003 for the flood over what is behind;
 /// Mueller et al. 2007, position based dynamics.
 UntangleReport untangle(World& world, const UntangleFrom& from = {});

@@ -25,8 +25,8 @@ NearestSurface surface_of(const Tangle& tangle, const ContactObject& object, dou
 
 bool is_closed(const Tangle& tangle, const ContactObject& object) {
     for (Index i = 0; i < object.triangle_count; ++i) {
-        const auto& across = tangle.surface.across[at(object.first_triangle + i)];
-        if (std::find(across.begin(), across.end(), k_no_index) != across.end()) {
+        const auto& opposite = tangle.surface.opposite[at(object.first_triangle + i)];
+        if (std::find(opposite.begin(), opposite.end(), k_no_index) != opposite.end()) {
             return false;
         }
     }
@@ -75,14 +75,14 @@ std::vector<StandingBody> find_bodies(const Tangle& tangle) {
     };
     for (std::size_t o = 0; o < tangle.roles.size(); ++o) {
         const ContactObject& object = tangle.surface.objects[o];
-        if (tangle.roles[o] == TangleRole::Stands && object.is_obstacle) {
+        if (tangle.roles[o] == TangleRole::Stands && object.id.is_obstacle()) {
             add(o, is_closed(tangle, object) ? 1.0 : side_by_heights(object));
         }
     }
     const std::size_t obstacles = bodies.size();
     for (std::size_t o = 0; o < tangle.roles.size(); ++o) {
         const ContactObject& object = tangle.surface.objects[o];
-        if (tangle.roles[o] == TangleRole::Stands && !object.is_obstacle) {
+        if (tangle.roles[o] == TangleRole::Stands && !object.id.is_obstacle()) {
             const double outward = outward_area(tangle, object, std::span(bodies).first(obstacles));
             add(o, outward != 0.0 ? std::copysign(1.0, outward) : side_by_heights(object));
         }
@@ -100,27 +100,27 @@ BodyPushes::BodyPushes(const Tangle& tangle)
 
 void BodyPushes::find(const Tangle& tangle,
                       std::span<const NearPair> pairs,
-                      double room,
+                      double clearance,
                       std::vector<Push>& pushes) {
     for (const NearPair& pair : pairs) {
         if (tangle.stands(pair.second)) {
-            find_columns(tangle, pair, room, pushes);
+            find_columns(tangle, pair, clearance, pushes);
         }
     }
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        find_vertices_behind(tangle, pairs, b, room, pushes);
+        find_vertices_behind(tangle, pairs, b, clearance, pushes);
     }
 }
 
 /// Where a triangle that crosses a body's triangle, or is near it, is too low over it.
 void BodyPushes::find_columns(const Tangle& tangle,
                               const NearPair& pair,
-                              double room,
+                              double clearance,
                               std::vector<Push>& pushes) {
     const ContactSurface& surface = tangle.surface;
     const Triangle& upper = surface.triangles[at(pair.first)];
     const Index lower = surface.triangles[at(pair.second)][0];
-    const double least = room * surface.rules[at(surface.rule_of(upper[0], lower))].thickness;
+    const double least = clearance * surface.rules[at(surface.rule_of(upper[0], lower))].thickness;
     const StandingBody& body = bodies_[body_of_object_[at(surface.object_of_vertex[at(lower)])]];
     const auto base = tangle.corners(pair.second);
     const Vec3 normal = body.side * triangle_normal(base[0], base[1], base[2]);
@@ -143,7 +143,7 @@ void BodyPushes::find_columns(const Tangle& tangle,
 void BodyPushes::find_vertices_behind(const Tangle& tangle,
                                       std::span<const NearPair> pairs,
                                       std::size_t body,
-                                      double room,
+                                      double clearance,
                                       std::vector<Push>& pushes) {
     const ContactSurface& surface = tangle.surface;
     std::vector<char>& looked_at = looked_at_[body];
@@ -164,7 +164,7 @@ void BodyPushes::find_vertices_behind(const Tangle& tangle,
     for (std::size_t i = 0; i < front_.size(); ++i) {
         const std::size_t v = at(front_[i]);
         const double least =
-            room *
+            clearance *
             surface.rules[at(surface.rule_of(front_[i], first_vertex_of(surface, body)))].thickness;
         const auto found = bodies_[body].surface.find(tangle.x[v], k_anywhere);
         if (!found || found->is_on_boundary || found->height >= least) {

@@ -64,8 +64,8 @@ std::string compress(const Checkpoint& checkpoint) {
     }
     state.append(reinterpret_cast<const char*>(checkpoint.attached_states.data()),
                  checkpoint.attached_states.size() * sizeof(AttachedState));
-    state.append(reinterpret_cast<const char*>(checkpoint.contact_memory.data()),
-                 checkpoint.contact_memory.size() * sizeof(ContactMemory));
+    state.append(reinterpret_cast<const char*>(checkpoint.friction_history.data()),
+                 checkpoint.friction_history.size() * sizeof(FrictionHistory));
     state.append(checkpoint.meshes);
     std::string compressed(ZSTD_compressBound(state.size()), '\0');
     const std::size_t bytes =
@@ -78,7 +78,7 @@ std::string compress(const Checkpoint& checkpoint) {
 bool decompress(std::string_view compressed, const Header& header, Checkpoint& out) {
     const std::size_t vertices = header.vertices;
     const std::size_t attached_bytes = header.attached_pairs * sizeof(AttachedState);
-    const std::size_t contact_bytes = header.contacts * sizeof(ContactMemory);
+    const std::size_t contact_bytes = header.contacts * sizeof(FrictionHistory);
     const std::size_t sized = vertices * k_vertex_bytes + attached_bytes + contact_bytes;
     std::string state(sized + header.mesh_bytes, '\0');
     const std::size_t bytes =
@@ -96,9 +96,9 @@ bool decompress(std::string_view compressed, const Header& header, Checkpoint& o
     if (attached_bytes > 0) {
         std::memcpy(out.attached_states.data(), source, attached_bytes);
     }
-    out.contact_memory.resize(header.contacts);
+    out.friction_history.resize(header.contacts);
     if (contact_bytes > 0) {
-        std::memcpy(static_cast<void*>(out.contact_memory.data()), source + attached_bytes,
+        std::memcpy(static_cast<void*>(out.friction_history.data()), source + attached_bytes,
                     contact_bytes);
     }
     out.meshes = state.substr(sized);
@@ -121,7 +121,7 @@ Checkpoint make_checkpoint(const World& world, std::uint64_t scene_hash) {
             .previous_positions = world.previous_positions,
             .previous_velocities = world.previous_velocities,
             .attached_states = world.attached_states,
-            .contact_memory = world.contact_memory,
+            .friction_history = world.friction_history,
             .meshes = encode_meshes(world)};
 }
 
@@ -137,7 +137,7 @@ void restore(const Checkpoint& checkpoint, World& world) {
     world.previous_positions = checkpoint.previous_positions;
     world.previous_velocities = checkpoint.previous_velocities;
     world.attached_states = checkpoint.attached_states;
-    world.contact_memory = checkpoint.contact_memory;
+    world.friction_history = checkpoint.friction_history;
 }
 
 std::string encode_checkpoint(const Checkpoint& checkpoint) {
@@ -149,7 +149,7 @@ std::string encode_checkpoint(const Checkpoint& checkpoint) {
     header.history_dt = checkpoint.history_dt;
     header.vertices = checkpoint.positions.size();
     header.attached_pairs = checkpoint.attached_states.size();
-    header.contacts = checkpoint.contact_memory.size();
+    header.contacts = checkpoint.friction_history.size();
     header.mesh_bytes = checkpoint.meshes.size();
     header.compressed_bytes = compressed.size();
     header.checksum = checksum(header, compressed);

@@ -16,7 +16,7 @@ struct Checkpoint {
     double history_dt = 0.0;
     std::vector<Vec3> positions, velocities, previous_positions, previous_velocities;
     std::vector<AttachedState> attached_states;
-    std::vector<ContactMemory> contact_memory;
+    std::vector<FrictionHistory> friction_history;
     std::string meshes; ///< of adaptive cloths, see mesh_state.h
 };
 

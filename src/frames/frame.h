@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/eigen.h"
+#include "scene/object_kind.h"
 
 #include <array>
 #include <span>
@@ -40,8 +41,6 @@ constexpr int find_quantity(std::string_view name) {
     }
     return -1;
 }
-
-enum class ObjectKind { Cloth, Solid, Rigid, Obstacle };
 
 /// Kinds that have values to be shown as colour.
 constexpr bool has_quantities(ObjectKind kind) {

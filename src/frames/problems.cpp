@@ -14,13 +14,13 @@ namespace {
 constexpr std::string_view k_header =
     "frame,time_s,kind,object_a,triangle_a,object_b,triangle_b,x_m,y_m,z_m";
 
-std::string_view name_of(ProblemKind kind) {
-    switch (kind) {
-    case ProblemKind::Crossing:
+std::string_view name_of(PairFault fault) {
+    switch (fault) {
+    case PairFault::Crossing:
         return "crossing";
-    case ProblemKind::TooNear:
+    case PairFault::TooNear:
         return "too_near";
-    case ProblemKind::Pinched:
+    case PairFault::Pinched:
         return "pinched";
     }
     return "";
@@ -33,11 +33,11 @@ std::string_view problems_header() {
 }
 
 std::vector<std::string>
-problem_rows(int frame, std::span<const TimedProblem> problems, const World& world) {
+problem_rows(int frame, std::span<const UnresolvedPair> problems, const World& world) {
     std::vector<std::string> rows;
-    for (const auto& [time, pair] : problems) {
-        rows.push_back(fmt::format("{},{},{},{},{},{},{},{},{},{}", frame, csv_number(time),
-                                   name_of(pair.kind), object_name(world, pair.objects[0]),
+    for (const UnresolvedPair& pair : problems) {
+        rows.push_back(fmt::format("{},{},{},{},{},{},{},{},{},{}", frame, csv_number(pair.time),
+                                   name_of(pair.fault), object_name(world, pair.objects[0]),
                                    pair.triangles[0], object_name(world, pair.objects[1]),
                                    pair.triangles[1], csv_number(pair.place.x()),
                                    csv_number(pair.place.y()), csv_number(pair.place.z())));
@@ -45,10 +45,10 @@ problem_rows(int frame, std::span<const TimedProblem> problems, const World& wor
     return rows;
 }
 
-std::vector<Vec3f> places_of(std::span<const TimedProblem> problems) {
+std::vector<Vec3f> places_of(std::span<const UnresolvedPair> problems) {
     std::vector<Vec3f> places;
-    for (const TimedProblem& problem : problems) {
-        places.push_back(problem.pair.place.cast<float>());
+    for (const UnresolvedPair& problem : problems) {
+        places.push_back(problem.place.cast<float>());
     }
     return places;
 }

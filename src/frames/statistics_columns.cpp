@@ -110,7 +110,7 @@ constexpr std::array k_columns{
     StatisticsColumn{"impact_zones", "", "Groups of impacts that were solved together",
                      [](const S& s) { return text(s.report.contact.zones); }},
     StatisticsColumn{"scaled_islands", "", "Groups whose motion was scaled down to stay apart",
-                     [](const S& s) { return text(s.report.contact.scaled_islands); }},
+                     [](const S& s) { return text(s.report.contact.scaled_zones); }},
     StatisticsColumn{"substeps_impacts", "", "Substeps of the frame that met impacts",
                      [](const S& s) { return text(s.report.substeps_impacts); }},
     StatisticsColumn{"substeps_zones", "", "Substeps of the frame that needed impact zones",

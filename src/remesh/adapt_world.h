@@ -2,7 +2,7 @@
 
 #include "adapt/obstacle_curvature.h"
 #include "adapt/sqrt3_mesh.h"
-#include "collide/contact.h"
+#include "collide/contact_solver.h"
 
 #include <memory>
 #include <vector>

@@ -15,10 +15,10 @@ namespace {
 
 /// What growing took.
 struct GrowReport {
-    double deepest_inset = 0.0; ///< by which a vertex of an obstacle started shrunken, m
-    int rounds = 0;             ///< of untangling what shrinking left crossing
-    int substeps = 0;           ///< of the pre-roll
-    double greatest_way = 0.0;  ///< that a vertex of cloth moved, m
+    double deepest_inset = 0.0;    ///< by which a vertex of an obstacle started shrunken, m
+    int rounds = 0;                ///< of untangling what shrinking left crossing
+    int substeps = 0;              ///< of the pre-roll
+    double max_displacement = 0.0; ///< that a vertex of cloth moved, m
 };
 
 /// Depth that is tried first, m, and by what it grows from one try to the next. Smaller: obstacles
@@ -64,7 +64,9 @@ struct Grown {
 };
 
 /// The world of the pre-roll: the meshes stay as imported, nothing holds or joins vertices, nothing
-/// moves, and obstacles stand still.
+/// moves, and obstacles stand still. Solids and rigid bodies take part: they have contact with the
+/// cloth that is carried, and an obstacle that they cross gives way and pushes them out as it does
+/// cloth.
 World still_world(const World& world) {
     World still = world;
     for (Cloth& cloth : still.cloths) {
@@ -119,7 +121,7 @@ public:
         }
         for (std::size_t v = 0; v < world_.vertex_count(); ++v) {
             const double way = (still_.positions[v] - world_.positions[v]).norm();
-            report_.greatest_way = std::max(report_.greatest_way, way);
+            report_.max_displacement = std::max(report_.max_displacement, way);
         }
         world_.positions = still_.positions;
         return report_;
@@ -132,8 +134,10 @@ private:
         std::vector<char> crossed;
         do {
             crossed.assign(grown_.size(), 0);
-            for (const ContactProblem& pair : crossings.find(still_, 0.0)) {
-                crossed[static_cast<std::size_t>(pair.objects[1]) - still_.cloths.size()] = 1;
+            for (const UnresolvedPair& pair : crossings.find(still_, 0.0)) {
+                if (pair.objects[1].is_obstacle()) {
+                    crossed[at(pair.objects[1].index)] = 1;
+                }
             }
             for (std::size_t o = 0; o < grown_.size(); ++o) {
                 crossed[o] = crossed[o] && grown_[o].can_go_deeper();
@@ -197,9 +201,9 @@ private:
     GrowReport report_;
 };
 
-/// Takes cloth out of obstacles by letting these grow into it: each obstacle that cloth crosses is
-/// drawn in along its normals as deep as it takes until nothing crosses it (what then still does is
-/// untangled), and grows back to its size over a simulated pre-roll in which contact pushes the
+/// Takes cloth out of obstacles by letting these grow into it: each obstacle that something crosses
+/// is drawn in along its normals as deep as it takes until nothing crosses it (what then still does
+/// is untangled), and grows back to its size over a simulated pre-roll in which contact pushes the
 /// cloth out. Meanwhile time, the obstacles' own motion, gravity and wind stand still, pins let go
 /// and each substep starts from rest: the cloth is carried, not thrown, and nothing falls before
 /// the scene begins. Cloth that crosses cloth is untangled first.
@@ -214,41 +218,40 @@ grow_obstacles(World& world, const Scene& scene, const std::function<bool()>& sh
 /// Pairs named in a message; more would not be read.
 constexpr std::size_t k_named = 3;
 
-void refuse(std::span<const CrossingPair> pairs, const char* remedy) {
+void refuse(const World& world, std::span<const UnresolvedPair> pairs, const char* remedy) {
     if (!pairs.empty()) {
-        fail_input("{} at the start: {}", describe_crossings(pairs), remedy);
+        fail_input("{} at the start: {}", describe_crossings(world, pairs), remedy);
     }
 }
 
 StartOverlapReport start_untangled(World& world, const ContactParams& contact) {
     const UntangleReport untangled = untangle(world, {.cloth = contact.self});
-    return {.rounds = untangled.rounds, .greatest_way = untangled.greatest_way};
+    return {.rounds = untangled.rounds, .max_displacement = untangled.max_displacement};
 }
 
 } // namespace
 
-std::vector<CrossingPair> crossings_of_contact(const World& world, const ContactParams& contact) {
+std::vector<UnresolvedPair> crossings_of_contact(const World& world, const ContactParams& contact) {
     if (!contact.enabled) {
         return {};
     }
-    std::vector<CrossingPair> pairs =
+    std::vector<UnresolvedPair> pairs =
         find_crossings(world, std::numeric_limits<std::size_t>::max());
     if (!contact.self) {
-        std::erase_if(pairs, [&](const CrossingPair& pair) {
-            return std::none_of(world.obstacles.begin(), world.obstacles.end(),
-                                [&](const Obstacle& o) { return o.name == pair.object_b; });
-        });
+        std::erase_if(pairs,
+                      [](const UnresolvedPair& pair) { return !pair.objects[1].is_obstacle(); });
     }
     return pairs;
 }
 
-std::string describe_crossings(std::span<const CrossingPair> pairs) {
+std::string describe_crossings(const World& world, std::span<const UnresolvedPair> pairs) {
     std::string text;
-    for (const CrossingPair& pair : pairs.first(std::min(pairs.size(), k_named))) {
+    for (const UnresolvedPair& pair : pairs.first(std::min(pairs.size(), k_named))) {
         text +=
             fmt::format("{}{}: triangle {} crosses {} triangle {} at ({:.4g}, {:.4g}, {:.4g}) m",
-                        text.empty() ? "" : "; ", pair.object_a, pair.triangle_a, pair.object_b,
-                        pair.triangle_b, pair.place.x(), pair.place.y(), pair.place.z());
+                        text.empty() ? "" : "; ", object_name(world, pair.objects[0]),
+                        pair.triangles[0], object_name(world, pair.objects[1]), pair.triangles[1],
+                        pair.place.x(), pair.place.y(), pair.place.z());
     }
     return fmt::format("{}; {} pair{} cross{}", text, pairs.size(), pairs.size() == 1 ? "" : "s",
                        pairs.size() == 1 ? "es" : "");
@@ -256,19 +259,20 @@ std::string describe_crossings(std::span<const CrossingPair> pairs) {
 
 std::optional<StartOverlapReport>
 cure_start_overlap(World& world, const Scene& scene, const std::function<bool()>& should_stop) {
-    const std::vector<CrossingPair> before = crossings_of_contact(world, scene.contact);
+    const std::vector<UnresolvedPair> before = crossings_of_contact(world, scene.contact);
     StartOverlapReport report;
     if (before.empty()) {
         return report;
     }
     switch (scene.contact.start_overlap) {
     case StartOverlap::Error:
-        refuse(before, "must be apart; contact.start_overlap = \"untangle\" moves cloth apart, "
-                       "\"grow\" lets obstacles grow into it; weft inspect lists the pairs");
+        refuse(world, before,
+               "must be apart; contact.start_overlap = \"untangle\" moves cloth apart, "
+               "\"grow\" lets obstacles grow into it; weft inspect lists the pairs");
         break;
     case StartOverlap::Untangle:
         report = start_untangled(world, scene.contact);
-        refuse(crossings_of_contact(world, scene.contact),
+        refuse(world, crossings_of_contact(world, scene.contact),
                "untangling could not part them: move the cloth or try start_overlap = \"grow\"");
         break;
     case StartOverlap::Grow: {
@@ -277,10 +281,10 @@ cure_start_overlap(World& world, const Scene& scene, const std::function<bool()>
             return std::nullopt;
         }
         report = {.rounds = grown->rounds,
-                  .greatest_way = grown->greatest_way,
+                  .max_displacement = grown->max_displacement,
                   .deepest_inset = grown->deepest_inset,
                   .preroll_substeps = grown->substeps};
-        refuse(crossings_of_contact(world, scene.contact),
+        refuse(world, crossings_of_contact(world, scene.contact),
                "growing could not part them: move the cloth or try start_overlap = \"untangle\"");
         break;
     }

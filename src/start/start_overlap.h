@@ -1,6 +1,6 @@
 #pragma once
 
-#include "collide/contact.h"
+#include "collide/crossings.h"
 #include "scene/scene.h"
 
 #include <functional>
@@ -11,19 +11,19 @@ namespace weft {
 
 /// What curing an overlap at the start took.
 struct StartOverlapReport {
-    std::size_t pairs_before = 0; ///< of crossing triangles
-    int rounds = 0;               ///< of untangling
-    double greatest_way = 0.0;    ///< that a vertex of cloth was moved, m
-    double deepest_inset = 0.0;   ///< by which an obstacle's vertex started shrunken, m
-    int preroll_substeps = 0;     ///< simulated while obstacles grew
+    std::size_t pairs_before = 0;  ///< of crossing triangles
+    int rounds = 0;                ///< of untangling
+    double max_displacement = 0.0; ///< that a vertex of cloth was moved, m
+    double deepest_inset = 0.0;    ///< by which an obstacle's vertex started shrunken, m
+    int preroll_substeps = 0;      ///< simulated while obstacles grew
 };
 
 /// Pairs of triangles that cross at world.time and that contact would have to keep apart: none when
 /// contact is off, and none between cloths when it leaves those alone; sorted.
-std::vector<CrossingPair> crossings_of_contact(const World& world, const ContactParams& contact);
+std::vector<UnresolvedPair> crossings_of_contact(const World& world, const ContactParams& contact);
 
 /// One line for the user: how many pairs cross, the first of them and where.
-std::string describe_crossings(std::span<const CrossingPair> pairs);
+std::string describe_crossings(const World& world, std::span<const UnresolvedPair> pairs);
 
 /// Takes a world at its start out of crossings as contact.start_overlap asks; pins then hold their
 /// vertices, and follow, from where these are. Velocities stay; rest shapes stay the imported ones.

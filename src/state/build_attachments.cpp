@@ -116,7 +116,7 @@ void Builder::set_material() {
     const FabricParams& a = cloth(0).params.fabric;
     const FabricParams& b = cloth(1).params.fabric;
     const double thickness = 0.5 * (a.thickness + b.thickness);
-    attachment_.stiffness = 0.5 * std::min(a.stretch_stiffness.sum(), b.stretch_stiffness.sum());
+    attachment_.stiffness = std::min(mean_stretch_stiffness(a), mean_stretch_stiffness(b));
     attachment_.tolerance = k_tolerance * thickness;
     attachment_.rest_gap = params_.kind == AttachKind::Button ? thickness : 0.0;
 }

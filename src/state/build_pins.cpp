@@ -106,11 +106,6 @@ std::string cloth_pin_place(std::string_view cloth, std::size_t pin_number) {
     return fmt::format("cloth '{}': pin[{}]", cloth, pin_number);
 }
 
-double stiffness_of(const ClothParams& params) {
-    return params.model == Model::Corotational ? 0.5 * params.fabric.stretch_stiffness.sum()
-                                               : params.spring.K;
-}
-
 /// The pins of one group, or its joints; `selected` counts from World vertex `first`.
 /// @param stiffness of what they hold, N/m
 void add_pins(World& world,
@@ -211,7 +206,7 @@ void build_pins(World& world) {
         for (std::size_t number = 0; number < cloth.params.pins.size(); ++number) {
             const PinParams& pin = cloth.params.pins[number];
             add_pins(world, select_pinned(mesh, pin, number), cloth.first_vertex, pin,
-                     stiffness_of(cloth.params), cloth_pin_place(cloth.name, number));
+                     material_stiffness(cloth.params), cloth_pin_place(cloth.name, number));
         }
     }
     for (const Solid& solid : world.solids) {

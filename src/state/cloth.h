@@ -35,4 +35,15 @@ inline int triangle_level(const Cloth& cloth, Index t) {
                : level_of(cloth.refinement.triangles[static_cast<std::size_t>(t)].generation);
 }
 
+/// Equivalent stiffness of a fabric under tension, the mean over weft and warp, N/m.
+inline double mean_stretch_stiffness(const FabricParams& fabric) {
+    return 0.5 * fabric.stretch_stiffness.sum();
+}
+
+/// How stiff a cloth's material is under tension, N/m: its fabric, or a spring of an edge model.
+inline double material_stiffness(const ClothParams& params) {
+    return params.model == Model::Corotational ? mean_stretch_stiffness(params.fabric)
+                                               : params.spring.K;
+}
+
 } // namespace weft

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cassert>
 
 namespace weft {
@@ -69,6 +70,20 @@ FourPoints rigid_velocities(const FourPoints& positions, const RigidMotion& moti
         velocities[i] = motion.velocity + turning.cross(positions[i] - centre);
     }
     return velocities;
+}
+
+Vec3 spin_of(const Mat3& inertia, const Vec3& angular_momentum, double least_inertia) {
+    constexpr double k_least_fraction = 1e-9;
+    const Eigen::SelfAdjointEigenSolver<Mat3> axes(inertia);
+    const double least = std::max(least_inertia, k_least_fraction * axes.eigenvalues()[2]);
+    Vec3 spin = Vec3::Zero();
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        if (axes.eigenvalues()[k] > least) {
+            const Vec3 axis = axes.eigenvectors().col(k);
+            spin += axis.dot(angular_momentum) / axes.eigenvalues()[k] * axis;
+        }
+    }
+    return spin;
 }
 
 FourPoints particles_with(const Mat3& second_moments) {

@@ -32,6 +32,11 @@ FourPoints rigid_velocities(const FourPoints& positions, const RigidMotion& moti
 /// Angular velocity (rad/s) with which particles at `positions` have that motion.
 Vec3 turning_of(const FourPoints& positions, const RigidMotion& motion);
 
+/// Angular velocity (rad/s) of least size that has the angular momentum (kg m^2/s) about a centre,
+/// given the inertia about it (kg m^2). Directions with no inertia, as about a line of vertices,
+/// stay without spin: those with at most `least_inertia`, or 1e-9 of the greatest.
+Vec3 spin_of(const Mat3& inertia, const Vec3& angular_momentum, double least_inertia = 0.0);
+
 /// Four points whose centre and second moments about it are those of a body of mass 1: with
 /// them as particles of a quarter of its mass each, mass, centre, and moments of inertia are the
 /// body's, and mass times acceleration of what they carry is exact (affine body dynamics of Lan et

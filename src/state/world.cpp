@@ -113,7 +113,7 @@ std::uint64_t state_hash(const World& world) {
     add_vectors(hash, world.previous_positions);
     add_vectors(hash, world.previous_velocities);
     hash.add(std::span<const AttachedState>(world.attached_states));
-    hash.add(std::span<const ContactMemory>(world.contact_memory));
+    hash.add(std::span<const FrictionHistory>(world.friction_history));
     return hash.value();
 }
 

@@ -4,7 +4,7 @@
 #include "state/attachment.h"
 #include "state/body.h"
 #include "state/cloth.h"
-#include "state/contact_memory.h"
+#include "state/friction_history.h"
 #include "state/obstacle.h"
 #include "state/pin.h"
 
@@ -34,7 +34,7 @@ struct World {
     std::vector<Vec3> previous_velocities; ///< #V
     double history_dt = 0.0;               ///< s, length of the last substep; 0 = no history
 
-    std::vector<ContactMemory> contact_memory; ///< by ascending pair, each pair once
+    std::vector<FrictionHistory> friction_history; ///< by ascending pair, each pair once
 
     std::vector<Cloth> cloths;
     std::vector<Solid> solids;

@@ -9,42 +9,52 @@ namespace {
 /// Calls the function for the kind that an object is of.
 template <typename OfCloth, typename OfBody, typename OfObstacle>
 auto visit(const World& world,
-           Index object,
+           ObjectId object,
            const OfCloth& of_cloth,
            const OfBody& of_body,
            const OfObstacle& of_obstacle) {
-    assert(object >= 0);
-    auto i = static_cast<std::size_t>(object);
-    if (i < world.cloths.size()) {
+    const std::size_t i = at(object.index);
+    switch (object.kind) {
+    case ObjectKind::Cloth:
+        assert(i < world.cloths.size());
         return of_cloth(world.cloths[i]);
-    }
-    i -= world.cloths.size();
-    if (i < world.solids.size()) {
+    case ObjectKind::Solid:
+        assert(i < world.solids.size());
         return of_body(world.solids[i].body);
-    }
-    i -= world.solids.size();
-    if (i < world.rigids.size()) {
+    case ObjectKind::Rigid:
+        assert(i < world.rigids.size());
         return of_body(world.rigids[i].body);
+    case ObjectKind::Obstacle:
+        break;
     }
-    i -= world.rigids.size();
     assert(i < world.obstacles.size());
     return of_obstacle(world.obstacles[i]);
 }
 
 } // namespace
 
-std::size_t object_count(const World& world) {
-    return world.cloths.size() + world.solids.size() + world.rigids.size() + world.obstacles.size();
+std::vector<ObjectId> objects_of(const World& world) {
+    std::vector<ObjectId> objects;
+    const auto add = [&](ObjectKind kind, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            objects.push_back({kind, static_cast<Index>(i)});
+        }
+    };
+    add(ObjectKind::Cloth, world.cloths.size());
+    add(ObjectKind::Solid, world.solids.size());
+    add(ObjectKind::Rigid, world.rigids.size());
+    add(ObjectKind::Obstacle, world.obstacles.size());
+    return objects;
 }
 
-const std::string& object_name(const World& world, Index object) {
+const std::string& object_name(const World& world, ObjectId object) {
     return *visit(
         world, object, [](const Cloth& cloth) { return &cloth.name; },
         [](const Body& body) { return &body.name; },
         [](const Obstacle& obstacle) { return &obstacle.name; });
 }
 
-TriangleMesh object_mesh(const World& world, Index object) {
+TriangleMesh object_mesh(const World& world, ObjectId object) {
     return visit(
         world, object,
         [&](const Cloth& cloth) {
@@ -60,11 +70,6 @@ TriangleMesh object_mesh(const World& world, Index object) {
             obstacle_positions(obstacle, world.time, mesh.positions);
             return mesh;
         });
-}
-
-bool is_obstacle(const World& world, Index object) {
-    return static_cast<std::size_t>(object) >=
-           world.cloths.size() + world.solids.size() + world.rigids.size();
 }
 
 } // namespace weft

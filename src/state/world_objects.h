@@ -1,18 +1,27 @@
 #pragma once
 
+#include "scene/object_kind.h"
 #include "state/world.h"
+
+#include <compare>
 
 namespace weft {
 
-/// Objects of a world are numbered in this order: cloths, solids, rigid bodies, obstacles.
-std::size_t object_count(const World& world);
+/// Which object of a world.
+struct ObjectId {
+    ObjectKind kind = ObjectKind::Cloth;
+    Index index = 0; ///< of World::cloths, solids, rigids or obstacles
 
-const std::string& object_name(const World& world, Index object);
+    bool is_obstacle() const { return kind == ObjectKind::Obstacle; } ///< else it moves by forces
+    auto operator<=>(const ObjectId&) const = default;
+};
+
+/// All objects of a world in their order.
+std::vector<ObjectId> objects_of(const World& world);
+
+const std::string& object_name(const World& world, ObjectId object);
 
 /// Positions (m, at the world's time) and triangles of one object.
-TriangleMesh object_mesh(const World& world, Index object);
-
-/// Does it move by forces?
-bool is_obstacle(const World& world, Index object);
+TriangleMesh object_mesh(const World& world, ObjectId object);
 
 } // namespace weft

@@ -3,7 +3,9 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "collide/contact_solver.h"
 #include "collide/crossings.h"
+#include "collide/friction_history.h"
 #include "state/update_attachments.h"
 #include "step/constrained_vertices.h"
 #include "step/implicit_step.h"
@@ -46,7 +48,7 @@ void add_contact(ContactReport& total, const ContactReport& substep) {
     total.contacts_self = std::max(total.contacts_self, substep.contacts_self);
     total.impacts += substep.impacts;
     total.zones += substep.zones;
-    total.scaled_islands += substep.scaled_islands;
+    total.scaled_zones += substep.scaled_zones;
     total.unresolved = substep.unresolved;
     total.min_gap = std::min(total.min_gap, substep.min_gap);
 }
@@ -156,10 +158,10 @@ bool Stepper::Impl::substep(World& world, double dt, bool accept_unresolved, Fra
         return false;
     }
     add_contact(report.contact, contact);
-    add_problems(report.problems, world.time + dt, contact.problems);
+    add_unresolved(report.problems, world.time + dt, contact.pairs);
     report.substeps_impacts += contact.impacts > 0;
     report.substeps_zones += contact.zones > 0;
-    report.substeps_scaled += contact.scaled_islands > 0;
+    report.substeps_scaled += contact.scaled_zones > 0;
     add_seconds(report.seconds, step, contact);
 
     // 6. final positions and velocities
@@ -205,9 +207,9 @@ void Stepper::Impl::verify(const World& world, double time, FrameReport& report)
         return;
     }
     const ScopedTime watch(report.seconds.verify);
-    const std::vector<ContactProblem> found = crossings->find(world, time);
+    const std::vector<UnresolvedPair> found = crossings->find(world, time);
     report.crossings = std::max(report.crossings, static_cast<int>(found.size()));
-    add_problems(report.problems, time, found);
+    add_unresolved(report.problems, time, found);
 }
 
 void Stepper::Impl::find_average_velocities(const World& world, double dt) {
@@ -244,7 +246,7 @@ void Stepper::Impl::finish(World& world, double dt) {
             end_positions[i] = world.positions[i] + dt * average_velocities[i];
         }
     });
-    remember(contacts, world.positions, end_positions, world.contact_memory);
+    remember(contacts, world.positions, end_positions, world.friction_history);
     parallel_for(world.vertex_count(), [&](std::size_t i) {
         const Vec3 x = world.positions[i];
         const Vec3 v = world.velocities[i];
@@ -303,8 +305,8 @@ void Stepper::Impl::drop_history_of_new_contacts(World& world, double dt) const 
             }
             const auto i = static_cast<std::size_t>(contact.vertices[k]);
             const Vec3 outward = contact.weights[k] > 0.0 ? contact.normal : -contact.normal;
-            const double parting =
-                outward.dot(world.previous_velocities[i]) + contact.normal.dot(contact.driven) / dt;
+            const double parting = outward.dot(world.previous_velocities[i]) +
+                                   contact.normal.dot(contact.obstacle_displacement) / dt;
             if (constrained.flags[i] == 0 && parting < 0.0) {
                 const bool touched = average_velocities[i] != free_velocities[i];
                 const Vec3 taken = -parting * outward;

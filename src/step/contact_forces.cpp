@@ -18,13 +18,6 @@ constexpr double k_earth_gravity = 9.81;
 /// Fraction of a solid's surface that bears its load: one side of a cube.
 constexpr double k_loaded_fraction = 1.0 / 6.0;
 
-/// Half the sum of the membrane's moduli, or the stiffness of an edge.
-double stiffness_of(const Cloth& cloth) {
-    return cloth.params.model == Model::Corotational
-               ? 0.5 * cloth.params.fabric.stretch_stiffness.sum()
-               : cloth.params.spring.K;
-}
-
 double stiffness_under(double mass, double contacts, const Body& body) {
     return mass * k_earth_gravity / (contacts * k_load_fraction * body.thickness);
 }
@@ -46,7 +39,7 @@ std::vector<double> contact_stiffness(const World& world) {
         heaviest = std::max(heaviest, rigid.params.mass);
     }
     for (const Cloth& cloth : world.cloths) {
-        set(cloth.first_vertex, cloth.vertex_count, stiffness_of(cloth));
+        set(cloth.first_vertex, cloth.vertex_count, material_stiffness(cloth.params));
     }
     for (const Solid& solid : world.solids) {
         const SpringParams& spring = solid.params.spring;
@@ -83,8 +76,8 @@ void ContactForces::take(std::span<const Contact> contacts) {
     ++revision_;
     for (const Contact& contact : contacts.subspan(springs_.size())) {
         const double stiffness = stiffness_of(contact);
-        springs_.push_back(
-            {{stiffness, std::max(contact.room, 1e-3 * contact.thickness)}, {stiffness, 0.0}});
+        springs_.push_back({{stiffness, std::max(contact.barrier_width, 1e-3 * contact.thickness)},
+                            {stiffness, 0.0}});
         add_terms(contact);
     }
 }
@@ -150,16 +143,16 @@ Vec3 ContactForces::relative(std::size_t contact, std::span<const Vec3> values) 
 
 ContactForces::Deflection ContactForces::deflection(std::size_t c, std::span<const Vec3> x) const {
     const Contact& contact = contacts_[c];
-    const Vec3 moved = relative(c, x) - relative(c, start_) + contact.driven;
-    return {contact.rest - contact.gap - contact.normal.dot(moved),
+    const Vec3 moved = relative(c, x) - relative(c, start_) + contact.obstacle_displacement;
+    return {contact.rest_gap - contact.gap - contact.normal.dot(moved),
             contact.slip + tangential(moved, contact.normal)};
 }
 
 void ContactForces::fit_limits(std::span<const Vec3> x) {
     parallel_for(springs_.size(), [&](std::size_t c) {
         const Contact& contact = contacts_[c];
-        const double friction = contact.slides ? contact.friction : contact.static_friction;
-        springs_[c].friction.limit = friction * springs_[c].normal.force(deflection(c, x).approach);
+        springs_[c].friction.limit =
+            friction_limit(contact, springs_[c].normal.force(deflection(c, x).approach));
     });
 }
 
@@ -271,7 +264,7 @@ void ContactForces::report(std::span<const Vec3> x, std::span<Contact> contacts)
         const Deflection end = deflection(c, x);
         const Spring& spring = springs_[c];
         contacts[c].impulse = dt_ * spring.normal.force(end.approach);
-        contacts[c].drag = dt_ * spring.friction.force(end.tangential);
+        contacts[c].friction_impulse = dt_ * spring.friction.force(end.tangential);
     }
     report_slips(x, contacts);
 }
@@ -280,7 +273,7 @@ void ContactForces::report_slips(std::span<const Vec3> x, std::span<Contact> con
     for (std::size_t c = 0; c < springs_.size(); ++c) {
         const Deflection end = deflection(c, x);
         contacts[c].slip = springs_[c].friction.kept(end.tangential);
-        contacts[c].slides = (end.tangential - contacts[c].slip).norm() > k_sliding_speed * dt_;
+        contacts[c].slides = is_sliding((end.tangential - contacts[c].slip).norm(), dt_);
     }
 }
 

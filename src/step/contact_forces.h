@@ -1,7 +1,7 @@
 #pragma once
 
 #include "collide/contact.h"
-#include "collide/contact_law.h"
+#include "collide/friction.h"
 #include "state/carrier_table.h"
 
 #include "solver/block_matrix.h"
@@ -15,9 +15,9 @@ namespace weft {
 std::vector<double> contact_stiffness(const World& world);
 
 /// Contact inside the implicit solve. Each contact has a normal and a friction spring
-/// (contact_law.h). Both depend only on the end positions, so that with the friction limits fixed
-/// contact is the gradient of a convex potential. Forces on an embedded vertex act on the particles
-/// that it is embedded in.
+/// (NormalLaw, FrictionLaw). Both depend only on the end positions, so that with the friction
+/// limits fixed contact is the gradient of a convex potential. Forces on an embedded vertex act on
+/// the particles that it is embedded in.
 class ContactForces {
 public:
     /// @param stiffness  of the springs, by vertex, N/m: see contact_stiffness()

@@ -1,23 +1,8 @@
 #pragma once
 
-#include "collide/contact.h"
+#include "collide/contact_report.h"
 
 namespace weft {
-
-/// A pair that was unresolved when a substep ended, and when that was.
-struct TimedProblem {
-    double time; ///< end of the substep, s
-    ContactProblem pair;
-};
-
-/// Appends what was found at `time` (s).
-void add_problems(std::vector<TimedProblem>& all,
-                  double time,
-                  std::span<const ContactProblem> found);
-
-/// Sorts them by objects, triangles and kind, and of those that tell of one pair the same keeps the
-/// last.
-void keep_last_of_each(std::vector<TimedProblem>& problems);
 
 /// Wall time of each stage, s.
 struct StageSeconds {
@@ -42,8 +27,8 @@ struct FrameReport {
         contact;       ///< counts: greatest over the substeps; unresolved: at the end; gap: least
     int crossings = 0; ///< verified: pairs that cross after a substep, greatest of all
     /// Each unresolved pair once, as the last substep that found it did; sorted.
-    std::vector<TimedProblem> problems{};
-    /// Substeps that needed a stage of contact: met an impact, a zone, a scaled island.
+    std::vector<UnresolvedPair> problems{};
+    /// Substeps that needed a stage of contact: met an impact, a zone, a scaled zone.
     int substeps_impacts = 0, substeps_zones = 0, substeps_scaled = 0;
     StageSeconds seconds;
 };

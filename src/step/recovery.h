@@ -12,9 +12,9 @@ public:
         : time_(world.time), history_dt_(world.history_dt), positions_(world.positions),
           velocities_(world.velocities), masses_(world.masses),
           previous_positions_(world.previous_positions),
-          previous_velocities_(world.previous_velocities), contact_memory_(world.contact_memory),
-          cloths_(world.cloths), pins_(world.pins), attached_pairs_(world.attached_pairs),
-          attached_states_(world.attached_states) {}
+          previous_velocities_(world.previous_velocities),
+          friction_history_(world.friction_history), cloths_(world.cloths), pins_(world.pins),
+          attached_pairs_(world.attached_pairs), attached_states_(world.attached_states) {}
 
     void restore(World& world) const {
         world.time = time_;
@@ -24,7 +24,7 @@ public:
         world.masses = masses_;
         world.previous_positions = previous_positions_;
         world.previous_velocities = previous_velocities_;
-        world.contact_memory = contact_memory_;
+        world.friction_history = friction_history_;
         world.cloths = cloths_;
         number_bodies(world);
         world.pins = pins_;
@@ -37,7 +37,7 @@ private:
     std::vector<Vec3> positions_, velocities_;
     std::vector<double> masses_;
     std::vector<Vec3> previous_positions_, previous_velocities_;
-    std::vector<ContactMemory> contact_memory_;
+    std::vector<FrictionHistory> friction_history_;
     std::vector<Cloth> cloths_;
     std::vector<Pin> pins_;
     std::vector<AttachedPair> attached_pairs_;

@@ -1,5 +1,4 @@
 #include "adapt/renumber_world.h"
-#include "state/contact_legacy.h"
 #include "support/adapting_world.h"
 
 #include <gtest/gtest.h>
@@ -26,14 +25,14 @@ using NamedPair = std::array<int, 4>;
 
 std::map<NamedPair, double> named_memory(const World& world, const std::vector<int>& names) {
     std::map<NamedPair, double> memory;
-    for (const ContactMemory& one : world.contact_memory) {
-        if (is_legacy(one)) {
+    for (const FrictionHistory& one : world.friction_history) {
+        if (is_transfer(one)) {
             continue;
         }
         NamedPair pair;
         std::transform(one.pair.begin(), one.pair.end(), pair.begin(),
                        [&](Index v) { return name_of(world, names, v); });
-        memory[pair] = one.rest;
+        memory[pair] = one.rest_gap;
     }
     return memory;
 }
@@ -83,7 +82,7 @@ TEST(RenumberWorld, AttachedPairsNameTheSamePoints) {
         });
 }
 
-/// Of vertices whose triangles change, pairs end: see ContactLegacies.
+/// Of vertices whose triangles change, pairs end: see FrictionTransfer.
 TEST(RenumberWorld, ContactRemembersTheSamePointsAndForgetsWhatIsGoneOrChanged) {
     std::size_t forgotten = 0;
     adapt_in_turn(10, [&](AdaptingWorld& sheets, const World& before, const auto& old_names,
@@ -99,14 +98,14 @@ TEST(RenumberWorld, ContactRemembersTheSamePointsAndForgetsWhatIsGoneOrChanged) 
         });
 
         EXPECT_EQ(named_memory(sheets.world, names), kept);
-        const auto& memory = sheets.world.contact_memory;
+        const auto& memory = sheets.world.friction_history;
         EXPECT_TRUE(std::is_sorted(memory.begin(), memory.end(),
                                    [](const auto& a, const auto& b) { return a.pair < b.pair; }));
         // what is put in now is remembered from now on
         const auto last = static_cast<Index>(sheets.world.vertex_count()) - 1;
-        const ContactMemory newest{{last, last + 1, last + 2, last + 3}, 1.0, Vec3::Zero(), 0};
+        const FrictionHistory newest{{last, last + 1, last + 2, last + 3}, 1.0, Vec3::Zero(), 0};
         if (memory.empty() || memory.back().pair < newest.pair) {
-            sheets.world.contact_memory.push_back(newest);
+            sheets.world.friction_history.push_back(newest);
         }
     });
     EXPECT_GT(forgotten, 0u);

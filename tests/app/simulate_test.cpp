@@ -380,6 +380,17 @@ TEST_F(Simulate, RefusesClothThatCrossesAnObstacleAtTheStart) {
     EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
+TEST_F(Simulate, WarnsOfAMeshFinerThanItsContactThickness) {
+    const test::ProcessResult fine =
+        run(folder / "out", {"--dry-run", "-s", "cloth[0].fabric.thickness=0.1"});
+    const test::ProcessResult coarse = run(folder / "out", {"--dry-run"});
+
+    EXPECT_EQ(fine.exit_code, 0) << fine.err;
+    EXPECT_NE(fine.err.find("napkin: contact thickness 0.1 m is coarse"), std::string::npos)
+        << fine.err;
+    EXPECT_EQ(coarse.err.find("is coarse"), std::string::npos) << coarse.err;
+}
+
 TEST_F(Simulate, DryRunWritesNothing) {
     const test::ProcessResult result = run(folder / "out", {"--dry-run"});
 

@@ -1,6 +1,5 @@
-#include "collide/contact.h"
-#include "collide/impact.h"
-#include "collide/proximity.h"
+#include "collide/contact_search.h"
+#include "collide/contact_solver.h"
 #include "support/contact_world.h"
 
 #include <benchmark/benchmark.h>
@@ -91,21 +90,24 @@ BENCHMARK(Candidates)->Unit(benchmark::kMillisecond)->UseRealTime();
 void Proximities(benchmark::State& state) {
     const ContactSurface surface = placed_surface();
     const std::vector<Candidate> candidates = candidates_of(surface);
-    ProximitySearch search;
-    std::vector<ContactRow> rows;
+    ContactSearch search;
+    std::vector<Contact> contacts;
     for (auto _ : state) {
-        search.find(surface, candidates, k_dt, rows);
+        search.find(surface, candidates, {}, k_dt, contacts);
     }
-    state.counters["rows"] = static_cast<double>(rows.size());
+    state.counters["contacts"] = static_cast<double>(contacts.size());
 }
 BENCHMARK(Proximities)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void Sweep(benchmark::State& state) {
     ContactSurface surface = placed_surface();
     const std::vector<Candidate> candidates = candidates_of(surface);
-    ProximitySearch search;
     std::vector<ContactRow> rows;
-    search.find(surface, candidates, k_dt, rows);
+    for (const Candidate& candidate : candidates) {
+        if (const auto place = near_place(surface, candidate)) {
+            rows.push_back(make_row(surface, candidate, *place, k_dt));
+        }
+    }
     std::vector<char> touched(surface.start.size(), 0);
     for (auto _ : state) {
         benchmark::DoNotOptimize(sweep(rows, surface, touched));
@@ -120,8 +122,8 @@ void ContinuousDetection(benchmark::State& state) {
     ImpactSearch search;
     std::vector<Impact> impacts;
     for (auto _ : state) {
-        search.find(surface, candidates, look, k_dt, {.thickness_share = 0.3, .start_share = 0.7},
-                    impacts);
+        search.find(surface, candidates, look, k_dt,
+                    {.thickness_fraction = 0.3, .start_fraction = 0.7}, impacts);
     }
     state.counters["impacts"] = static_cast<double>(impacts.size());
 }
@@ -130,10 +132,12 @@ BENCHMARK(ContinuousDetection)->Unit(benchmark::kMillisecond)->UseRealTime();
 void WholeSubstep(benchmark::State& state) {
     ContactSolver solver(draped().world, {});
     std::vector<Vec3> velocities = draped().velocities;
+    std::vector<Contact> contacts;
     ContactReport report;
     for (auto _ : state) {
         velocities = draped().velocities;
-        report = solver.resolve(draped().world, velocities, draped().held, k_dt);
+        solver.find_contacts(draped().world, draped().held, k_dt, contacts);
+        report = solver.resolve(draped().world, velocities, draped().held, k_dt, contacts);
     }
     state.counters["obstacle"] = report.contacts_obstacle;
     state.counters["self"] = report.contacts_self;

@@ -1,4 +1,4 @@
-#include "collide/contact.h"
+#include "collide/crossings.h"
 #include "geometry/crossing.h"
 #include "support/contact_world.h"
 
@@ -51,12 +51,12 @@ std::size_t count_by_brute_force(const World& world) {
 TEST(Crossings, AreAllFoundOnceAndSorted) {
     const World world = crossed_world();
 
-    const std::vector<CrossingPair> pairs = find_crossings(world, 100000);
+    const std::vector<UnresolvedPair> pairs = find_crossings(world, 100000);
 
     EXPECT_GT(pairs.size(), 50U);
     EXPECT_EQ(pairs.size(), count_by_brute_force(world));
-    EXPECT_EQ(pairs.front().object_a, "sheet0");
-    EXPECT_EQ(pairs.back().object_b, "obstacle0");
+    EXPECT_EQ(object_name(world, pairs.front().objects[0]), "sheet0");
+    EXPECT_EQ(object_name(world, pairs.back().objects[1]), "obstacle0");
     EXPECT_EQ(find_crossings(world, 7).size(), 7U);
 }
 
@@ -64,7 +64,7 @@ TEST(Crossings, AtTheStartAreCountedAsUnresolved) {
     World world = crossed_world();
     ContactSolver solver(world, {});
 
-    const ContactReport report = test::step(world, solver, 1e-3);
+    const ContactReport report = test::contact_step(world, solver, 1e-3);
 
     EXPECT_GT(report.unresolved, 50);
     EXPECT_EQ(static_cast<std::size_t>(report.unresolved), find_crossings(world, 100000).size());

@@ -1,4 +1,4 @@
-#include "collide/contact.h"
+#include "collide/contact_solver.h"
 #include "collide/edit_guard.h"
 #include "support/contact_world.h"
 
@@ -24,7 +24,7 @@ protected:
         std::vector<Vec3> still(world_.vertex_count(), Vec3::Zero());
         const std::vector<char> held(world_.vertex_count(), 0);
         solver_->find_contacts(world_, held, 0.01, contacts);
-        solver_->resolve(world_, still, held, 0.01);
+        solver_->resolve(world_, still, held, 0.01, contacts);
     }
 
     /// Of the lower sheet's inner edge number e: its ends and apexes, the second apex raised.

@@ -1,5 +1,5 @@
 #include "base/parallel.h"
-#include "collide/contact.h"
+#include "collide/crossings.h"
 #include "collide/untangle.h"
 #include "support/contact_world.h"
 
@@ -59,7 +59,7 @@ TEST(Untangle, TakesASheetOutOfABallToItsOuterSide) {
         EXPECT_GT(x.norm(), 0.2 * 0.995); // the ball is a polyhedron within its sphere
     }
     // the middle of the sheet had 20 mm to go and half a thickness of room is wanted
-    EXPECT_NEAR(report.greatest_way, 0.0205, 0.003);
+    EXPECT_NEAR(report.max_displacement, 0.0205, 0.003);
 }
 
 TEST(Untangle, LeavesRoom) {
@@ -67,7 +67,7 @@ TEST(Untangle, LeavesRoom) {
     untangle(world);
     ContactSolver solver(world, {});
 
-    const ContactReport report = test::step(world, solver, 1e-4);
+    const ContactReport report = test::contact_step(world, solver, 1e-4);
 
     EXPECT_EQ(report.unresolved, 0);
     EXPECT_GT(report.min_gap, 0.4e-3); // half of the thickness of 1 mm, less a little
@@ -81,7 +81,7 @@ TEST(Untangle, LeavesClothThatDoesNotCrossWhereItIs) {
 
     EXPECT_EQ(world.positions, before);
     EXPECT_EQ(report.rounds, 0);
-    EXPECT_EQ(report.greatest_way, 0.0);
+    EXPECT_EQ(report.max_displacement, 0.0);
 }
 
 TEST(Untangle, HardlyDistortsTriangles) {

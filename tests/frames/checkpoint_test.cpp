@@ -20,8 +20,8 @@ Checkpoint random_checkpoint(std::size_t vertices) {
             std::memcpy(value.data(), bits.data(), sizeof bits);
         }
     }
-    checkpoint.contact_memory.resize(vertices / 2);
-    for (ContactMemory& memory : checkpoint.contact_memory) {
+    checkpoint.friction_history.resize(vertices / 2);
+    for (FrictionHistory& memory : checkpoint.friction_history) {
         memory = {{1, 2, 3, static_cast<Index>(random() % 100)}, 1e-3, checkpoint.positions[0], 1};
     }
     for (std::size_t i = 0; i < 3; ++i) {
@@ -49,9 +49,9 @@ TEST(Checkpoint, GivesBackEveryBit) {
     EXPECT_TRUE(same_bits(read.velocities, checkpoint.velocities));
     EXPECT_TRUE(same_bits(read.previous_positions, checkpoint.previous_positions));
     EXPECT_TRUE(same_bits(read.previous_velocities, checkpoint.previous_velocities));
-    ASSERT_EQ(read.contact_memory.size(), checkpoint.contact_memory.size());
-    EXPECT_EQ(std::memcmp(read.contact_memory.data(), checkpoint.contact_memory.data(),
-                          read.contact_memory.size() * sizeof(ContactMemory)),
+    ASSERT_EQ(read.friction_history.size(), checkpoint.friction_history.size());
+    EXPECT_EQ(std::memcmp(read.friction_history.data(), checkpoint.friction_history.data(),
+                          read.friction_history.size() * sizeof(FrictionHistory)),
               0);
     ASSERT_EQ(read.attached_states.size(), 3U);
     EXPECT_EQ(std::memcmp(read.attached_states.data(), checkpoint.attached_states.data(),

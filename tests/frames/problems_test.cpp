@@ -16,9 +16,13 @@ World world_of_two() {
     return world;
 }
 
-const std::vector<TimedProblem> k_problems{
-    {0.25, {{0, 0}, {3, 7}, Vec3(0.1, -0.2, 1e-9), ProblemKind::Crossing}},
-    {0.5, {{0, 1}, {4, 1}, Vec3(1.0, 2.0, 3.0), ProblemKind::Pinched}}};
+const std::vector<UnresolvedPair> k_problems{
+    {.triangles = {3, 7}, .place = Vec3(0.1, -0.2, 1e-9), .time = 0.25},
+    {.objects = {{{ObjectKind::Cloth, 0}, {ObjectKind::Obstacle, 0}}},
+     .triangles = {4, 1},
+     .place = Vec3(1.0, 2.0, 3.0),
+     .fault = PairFault::Pinched,
+     .time = 0.5}};
 
 CsvTable table_of(const std::vector<std::string>& rows) {
     std::string text = std::string(problems_header()) + "\n";

@@ -64,7 +64,7 @@ TEST(StartOverlap, IsUntangledAndKeepsRestShapeAndVelocity) {
     ASSERT_TRUE(report);
     EXPECT_GT(report->pairs_before, 20U);
     EXPECT_GT(report->rounds, 0);
-    EXPECT_GT(report->greatest_way, 0.01);
+    EXPECT_GT(report->max_displacement, 0.01);
     EXPECT_TRUE(find_crossings(world, 1).empty());
     EXPECT_EQ(world.velocities, before.velocities);
     EXPECT_EQ(world.previous_positions, world.positions);
@@ -151,6 +151,40 @@ TEST(StartOverlap, IsPushedApartByObstaclesThatGrow) {
     EXPECT_EQ(world.obstacles[0].mesh.positions, before.obstacles[0].mesh.positions);
     for (std::size_t v = 0; v < world.vertex_count(); ++v) {
         EXPECT_GT(world.positions[v].norm(), 0.199); // outside of a ball of 0.2 m
+    }
+}
+
+/// Objects are listed as cloths, solids, rigid bodies, obstacles: none of them must be taken for
+/// another one.
+TEST(StartOverlap, ObstaclesGrowBesideASolidOrARigidBodyAsWithoutIt) {
+    const Scene alone = napkin_in_ball(StartOverlap::Grow);
+    Scene with_solid = alone;
+    SolidParams solid;
+    solid.name = "cube";
+    solid.box = Vec3(0.1, 0.1, 0.1);
+    solid.spacing = 0.05;
+    solid.placement.translate = {3.0, 0.0, 0.0};
+    with_solid.solids.push_back(solid);
+    Scene with_rigid = alone;
+    RigidParams rigid;
+    rigid.name = "block";
+    rigid.shape = Shape::Box;
+    rigid.size = Vec3(0.1, 0.1, 0.1);
+    rigid.placement.translate = {3.0, 0.0, 0.0};
+    with_rigid.rigids.push_back(rigid);
+    World world = test::build_quietly(alone);
+    const auto expected = cure(world, alone);
+    ASSERT_TRUE(expected);
+    EXPECT_NEAR(expected->deepest_inset, 0.0114, 0.0001); // 1 mm times 1.5^6
+
+    for (const Scene& scene : {with_solid, with_rigid}) {
+        World beside = test::build_quietly(scene);
+        const auto report = cure(beside, scene);
+
+        ASSERT_TRUE(report);
+        EXPECT_EQ(report->deepest_inset, expected->deepest_inset);
+        EXPECT_EQ(report->preroll_substeps, expected->preroll_substeps);
+        EXPECT_TRUE(find_crossings(beside, 1).empty());
     }
 }
 

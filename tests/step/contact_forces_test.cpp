@@ -15,12 +15,12 @@ Contact edge_on_obstacle() {
             .normal = Vec3(1.0, 2.0, 2.0) / 3.0,
             .gap = 8e-4,
             .thickness = 1e-3,
-            .rest = 1e-3,
-            .room = 7e-4,
+            .rest_gap = 1e-3,
+            .barrier_width = 7e-4,
             .mass = 1e-4,
             .friction = 0.4,
             .static_friction = 0.4,
-            .driven = Vec3(-2e-4, 1e-4, 3e-5)};
+            .obstacle_displacement = Vec3(-2e-4, 1e-4, 3e-5)};
 }
 
 /// A vertex of cloth over a face of cloth.
@@ -32,12 +32,12 @@ Contact vertex_on_face() {
             .normal = Vec3(0.0, 1.0, 0.0),
             .gap = 9e-4,
             .thickness = 1e-3,
-            .rest = 1e-3,
-            .room = 7e-4,
+            .rest_gap = 1e-3,
+            .barrier_width = 7e-4,
             .mass = 1e-4,
             .friction = 0.3,
             .static_friction = 0.5,
-            .driven = Vec3::Zero()};
+            .obstacle_displacement = Vec3::Zero()};
 }
 
 constexpr double k_dt = 0.01;
@@ -74,7 +74,7 @@ TEST(ContactForces, BlocksAreTheDerivativesOfTheForces) {
     std::vector<BlockEntry> entries;
     two.forces.list_blocks(rows, entries);
     BlockMatrix matrix = make_pattern(4, entries);
-    two.forces.find_places(rows, std::vector<char>(4, 0), matrix);
+    two.forces.find_blocks(rows, std::vector<char>(4, 0), matrix);
     two.forces.add_blocks(two.x, 1.0, 0.0, matrix);
 
     for (std::size_t j = 0; j < 4; ++j) {
@@ -166,12 +166,12 @@ TEST(ContactForces, FrictionIsStaticUntilASubstepHasSlidAndKineticAfterIt) {
             forces.report(two.x, contacts);
 
             const double push = contacts[0].impulse / k_dt;
-            const double drag = contacts[0].drag.norm() / k_dt;
+            const double friction = contacts[0].friction_impulse.norm() / k_dt;
             const double limit = (slid_before ? 0.3 : 0.5) * push;
             EXPECT_GT(push, 0.0);
-            EXPECT_NEAR(drag, std::min(k_stiffness * slip, limit), 1e-12);
+            EXPECT_NEAR(friction, std::min(k_stiffness * slip, limit), 1e-12);
             EXPECT_EQ(contacts[0].slides, slip - limit / k_stiffness > k_sliding_speed * k_dt);
-            EXPECT_NEAR(contacts[0].slip.norm(), drag / k_stiffness, 1e-12);
+            EXPECT_NEAR(contacts[0].slip.norm(), friction / k_stiffness, 1e-12);
         }
     }
 }

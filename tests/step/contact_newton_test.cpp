@@ -30,12 +30,12 @@ struct Grain {
                                    .normal = Vec3::UnitY(),
                                    .gap = 1e-3,
                                    .thickness = 1e-3,
-                                   .rest = 1e-3,
-                                   .room = 7e-4,
+                                   .rest_gap = 1e-3,
+                                   .barrier_width = 7e-4,
                                    .mass = k_mass,
                                    .friction = k_friction,
                                    .static_friction = k_friction,
-                                   .driven = Vec3::Zero()}};
+                                   .obstacle_displacement = Vec3::Zero()}};
     ContactForces forces{std::vector<double>(1, 1000.0)};
     BalanceReport report;
 

@@ -32,9 +32,11 @@ Scene sheet_on_incline(double degrees, int substeps) {
     return scene;
 }
 
-/// Mean displacement and velocity down the incline after 1 s.
+/// Mean displacement and velocity down the incline after 1 s, and the greatest distance of a
+/// vertex's velocity from the mean along the incline and across it.
 struct Slide {
     double distance, speed;
+    double uneven_speed = 0.0, sideways_speed = 0.0;
 };
 
 Slide slide_for_a_second(const Scene& scene) {
@@ -48,6 +50,10 @@ Slide slide_for_a_second(const Scene& scene) {
     for (std::size_t i = 0; i < start.size(); ++i) {
         slide.distance += (world.positions[i] - start[i]).x() / static_cast<double>(start.size());
         slide.speed += world.velocities[i].x() / static_cast<double>(start.size());
+    }
+    for (const Vec3& v : world.velocities) {
+        slide.uneven_speed = std::max(slide.uneven_speed, std::abs(v.x() - slide.speed));
+        slide.sideways_speed = std::max(slide.sideways_speed, std::abs(v.z()));
     }
     return slide;
 }
@@ -81,6 +87,20 @@ TEST(Incline, SlidingAcceleratesAsCoulombSays) {
         const Slide slide = slide_for_a_second(sheet_on_incline(30.0, substeps));
 
         EXPECT_NEAR(slide.speed, expected, 0.02 * expected) << substeps; // after 1 s
+    }
+}
+
+TEST(Incline, EachVertexSticksOrSlidesAsCoulombSays) {
+    // The cloth sticks for tan(angle) < mu, else slides with g (sin - mu cos).
+    for (const double degrees : {k_threshold_deg - 1.0, k_threshold_deg + 1.0, 30.0}) {
+        const double angle = degrees * std::numbers::pi / 180.0;
+        const Slide slide = slide_for_a_second(sheet_on_incline(degrees, 10)); // of 5 ms
+
+        const double speed =
+            std::max(0.0, k_gravity * (std::sin(angle) - k_friction * std::cos(angle)));
+        EXPECT_NEAR(slide.speed, speed, 0.01 * speed + 1e-6) << degrees;
+        EXPECT_LT(slide.uneven_speed, 0.01 * speed + 1e-6) << degrees;
+        EXPECT_LT(slide.sideways_speed, 1e-6) << degrees;
     }
 }
 

@@ -1,4 +1,4 @@
-#include "collide/contact.h"
+#include "collide/crossings.h"
 #include "step/advance.h"
 #include "support/worlds.h"
 

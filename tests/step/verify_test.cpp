@@ -1,3 +1,4 @@
+#include "collide/crossings.h"
 #include "step/advance.h"
 #include "support/contact_world.h"
 #include "support/worlds.h"
@@ -37,12 +38,13 @@ TEST(Verify, FindsCrossingsThatAreGoneAtTheFrame) {
     ASSERT_GT(report.crossings, 0);
     ASSERT_GE(report.problems.size(), static_cast<std::size_t>(report.crossings));
     double last = 0.0;
-    for (const TimedProblem& problem : report.problems) {
+    for (const UnresolvedPair& problem : report.problems) {
         EXPECT_GT(problem.time, 3.5 * 0.002);
-        EXPECT_NEAR(problem.pair.place.y(), 0.53 - 50.0 * problem.time, 1e-9);
+        EXPECT_NEAR(problem.place.y(), 0.53 - 50.0 * problem.time, 1e-9);
         last = std::max(last, problem.time);
-        EXPECT_EQ(problem.pair.objects, (std::array<Index, 2>{0, 1}));
-        EXPECT_EQ(problem.pair.kind, ProblemKind::Crossing);
+        EXPECT_EQ(problem.objects,
+                  (std::array<ObjectId, 2>{{{ObjectKind::Cloth, 0}, {ObjectKind::Obstacle, 0}}}));
+        EXPECT_EQ(problem.fault, PairFault::Crossing);
     }
     EXPECT_NEAR(last, 6 * 0.002, 1e-12);
 }
@@ -58,7 +60,7 @@ TEST(Verify, TellsOfEachPairOnce) {
 
     ASSERT_GT(report.problems.size(), 1U);
     for (std::size_t i = 1; i < report.problems.size(); ++i) {
-        EXPECT_LT(report.problems[i - 1].pair.triangles, report.problems[i].pair.triangles);
+        EXPECT_LT(report.problems[i - 1].triangles, report.problems[i].triangles);
     }
 }
 

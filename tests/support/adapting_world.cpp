@@ -55,7 +55,7 @@ AdaptingWorld::AdaptingWorld(SheetMotion motion, unsigned seed)
     const auto count = static_cast<Index>(world.vertex_count());
     for (Index v = 0; v + 3 * 7 < count; v += 2) { // the fourth is an obstacle's
         const std::array<Index, 4> pair{v, v + 7, v + 3 * 7, count + v};
-        world.contact_memory.push_back({pair, 1e-3 * v, noise(1e-4), v % 4 == 0});
+        world.friction_history.push_back({pair, 1e-3 * v, noise(1e-4), v % 4 == 0});
     }
     for (Index v = 0; v < 7; ++v) { // cloths 0, 1 and 2: imported vertices alone
         world.attached_pairs.push_back(

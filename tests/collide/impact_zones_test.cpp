@@ -1,4 +1,4 @@
-#include "collide/islands.h"
+#include "collide/impact_zones.h"
 #include "support/contact_world.h"
 
 #include <gtest/gtest.h>
@@ -34,10 +34,10 @@ struct WildSheet {
     int cut(const std::array<Index, 4>& pair, double strength, double toi) {
         const std::vector<Candidate> candidates{{.vertices = pair}};
         const std::vector<Impact> impacts{{0, toi}};
-        Islands islands;
-        islands.reset(world.vertex_count());
-        islands.join(surface, pair);
-        return cut_back(surface, candidates, impacts, islands, strength, k_dt, touched);
+        ImpactZones zones;
+        zones.reset(world.vertex_count());
+        zones.join(surface, pair);
+        return zones.scale_motion(surface, candidates, impacts, strength, k_dt, touched);
     }
 
     static constexpr double k_dt = 0.01;
@@ -45,19 +45,19 @@ struct WildSheet {
 
 } // namespace
 
-TEST(Islands, JoinByCommonVerticesButNotThroughInfiniteMasses) {
+TEST(ImpactZones, JoinByCommonVerticesButNotThroughInfiniteMasses) {
     const WildSheet scene({0, 0, 0, 0, 1});
-    Islands islands;
-    islands.reset(scene.world.vertex_count());
+    ImpactZones zones;
+    zones.reset(scene.world.vertex_count());
 
-    islands.join(scene.surface, {0, 1, 2, 4});
-    islands.join(scene.surface, {4, 5, 6, 7});
-    EXPECT_EQ(islands.of(0), islands.of(2));
-    EXPECT_NE(islands.of(0), islands.of(5));
+    zones.join(scene.surface, {0, 1, 2, 4});
+    zones.join(scene.surface, {4, 5, 6, 7});
+    EXPECT_EQ(zones.of(0), zones.of(2));
+    EXPECT_NE(zones.of(0), zones.of(5));
 
-    islands.join(scene.surface, {7, 8, 9, 2});
-    EXPECT_EQ(islands.of(9), 0);
-    EXPECT_EQ(islands.of(5), 0);
+    zones.join(scene.surface, {7, 8, 9, 2});
+    EXPECT_EQ(zones.of(9), 0);
+    EXPECT_EQ(zones.of(5), 0);
 }
 
 TEST(CutBack, OfAFreeIslandMakesItRigidAndKeepsItsMomenta) {
@@ -115,7 +115,7 @@ TEST(CutBack, KeepsAShareOfTheMotionUpToTheImpact) {
     EXPECT_EQ(scene.touched[3], 0);
 }
 
-TEST(Islands, KeepTheirPlaceOnADeformingObstacleThatTurns) {
+TEST(ImpactZones, KeepTheirPlaceOnADeformingObstacleThatTurns) {
     // The obstacle deforms in name only: it turns about x as a whole.
     WildSheet scene;
     const Vec3 turning(3.0, 0.0, 0.0);

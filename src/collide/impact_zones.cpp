@@ -1,6 +1,6 @@
-#include "collide/islands.h"
+#include "collide/impact_zones.h"
 
-#include <Eigen/Eigenvalues>
+#include "state/rigid_motion.h"
 
 #include <algorithm>
 
@@ -8,8 +8,8 @@ namespace weft {
 
 namespace {
 
-/// Share of the time of impact up to which an island may move; nearer to 1 leaves less room.
-constexpr double k_kept_share = 0.8;
+/// Fraction of the time of impact up to which a zone may move; nearer to 1 leaves it less space.
+constexpr double k_kept_fraction = 0.8;
 
 /// v(x) = velocity + linear * (x - centre).
 struct AffineMotion {
@@ -20,8 +20,8 @@ struct AffineMotion {
     Vec3 at(const Vec3& x) const { return velocity + linear * (x - centre); }
 };
 
-/// One island with impacts.
-struct Cut {
+/// One zone with impacts.
+struct MetZone {
     double toi = 1.0;
     Index obstacle = k_no_index; ///< object it meets; a moving one before a resting one
     std::vector<Index> met;      ///< vertices of the deforming obstacles it meets, each once
@@ -63,96 +63,87 @@ AffineMotion rigid_motion(const ContactSurface& surface, std::span<const Index> 
     }
     motion.centre /= mass;
     motion.velocity /= mass;
-    Vec3 spin = Vec3::Zero();
+    Vec3 angular = Vec3::Zero();
     Mat3 inertia = Mat3::Zero();
     for (const Index v : vertices) {
         const double m = mass_of(v);
         const Vec3 r = surface.start[at(v)] - motion.centre;
-        spin += m * r.cross(surface.velocity[at(v)] - motion.velocity);
+        angular += m * r.cross(surface.velocity[at(v)] - motion.velocity);
         inertia += m * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
     }
-    // Vertices on a line have no inertia about it: there the turning speed is zero.
-    const Eigen::SelfAdjointEigenSolver<Mat3> axes(inertia);
-    const double least = 1e-9 * axes.eigenvalues()[2];
-    Vec3 turning = Vec3::Zero();
-    for (Eigen::Index k = 0; k < 3; ++k) {
-        if (axes.eigenvalues()[k] > least) {
-            const Vec3 axis = axes.eigenvectors().col(k);
-            turning += axis.dot(spin) / axes.eigenvalues()[k] * axis;
-        }
-    }
+    const Vec3 turning = spin_of(inertia, angular);
     motion.linear << 0.0, -turning[2], turning[1], turning[2], 0.0, -turning[0], -turning[1],
         turning[0], 0.0;
     return motion;
 }
 
-void meet(Cut& cut, const ContactSurface& surface, Index v) {
+void meet(MetZone& zone, const ContactSurface& surface, Index v) {
     const Index object = surface.object_of_vertex[at(v)];
     if (!surface.is_deformable(v)) {
-        if (cut.obstacle == k_no_index || moves(surface.objects[at(object)])) {
-            cut.obstacle = object;
+        if (zone.obstacle == k_no_index || moves(surface.objects[at(object)])) {
+            zone.obstacle = object;
         }
         if (surface.objects[at(object)].deforms &&
-            std::find(cut.met.begin(), cut.met.end(), v) == cut.met.end()) {
-            cut.met.push_back(v);
+            std::find(zone.met.begin(), zone.met.end(), v) == zone.met.end()) {
+            zone.met.push_back(v);
         }
     } else {
-        cut.held_sum += surface.velocity[at(v)];
-        ++cut.held_count;
+        zone.held_sum += surface.velocity[at(v)];
+        ++zone.held_count;
     }
 }
 
-std::vector<Cut> collect_cuts(const ContactSurface& surface,
-                              std::span<const Candidate> candidates,
-                              std::span<const Impact> impacts,
-                              const Islands& islands) {
-    std::vector<Cut> cuts;
-    std::vector<Index> cut_of(at(surface.deformable_vertices), k_no_index);
+std::vector<MetZone> collect_zones(const ContactSurface& surface,
+                                   std::span<const Candidate> candidates,
+                                   std::span<const Impact> impacts,
+                                   const ImpactZones& zones) {
+    std::vector<MetZone> met_zones;
+    std::vector<Index> zone_number(at(surface.deformable_vertices), k_no_index);
     for (const Impact& impact : impacts) {
         const auto& vertices = candidates[at(impact.candidate)].vertices;
         const auto free = std::find_if(vertices.begin(), vertices.end(),
                                        [&](Index v) { return surface.inverse_mass[at(v)] > 0.0; });
-        const Index island = islands.of(*free);
-        Index& index = cut_of[at(island)];
+        const Index name = zones.of(*free);
+        Index& index = zone_number[at(name)];
         if (index == k_no_index) {
-            index = static_cast<Index>(cuts.size());
-            cuts.emplace_back();
+            index = static_cast<Index>(met_zones.size());
+            met_zones.emplace_back();
         }
-        Cut& cut = cuts[at(index)];
-        cut.toi = std::min(cut.toi, impact.toi);
+        MetZone& zone = met_zones[at(index)];
+        zone.toi = std::min(zone.toi, impact.toi);
         for (const Index v : vertices) {
             if (surface.inverse_mass[at(v)] == 0.0) {
-                meet(cut, surface, v);
+                meet(zone, surface, v);
             }
         }
     }
     for (Index v = 0; v < surface.deformable_vertices; ++v) {
-        const Index index = cut_of[at(islands.of(v))];
+        const Index index = zone_number[at(zones.of(v))];
         if (index != k_no_index && surface.inverse_mass[at(v)] > 0.0) {
-            cuts[at(index)].vertices.push_back(v);
+            met_zones[at(index)].vertices.push_back(v);
         }
     }
-    return cuts;
+    return met_zones;
 }
 
-AffineMotion reference_motion(const ContactSurface& surface, const Cut& cut, double dt) {
-    if (cut.obstacle != k_no_index) {
-        const ContactObject& obstacle = surface.objects[at(cut.obstacle)];
-        return obstacle.deforms ? rigid_motion(surface, cut.met) : obstacle_motion(obstacle, dt);
+AffineMotion reference_motion(const ContactSurface& surface, const MetZone& zone, double dt) {
+    if (zone.obstacle != k_no_index) {
+        const ContactObject& obstacle = surface.objects[at(zone.obstacle)];
+        return obstacle.deforms ? rigid_motion(surface, zone.met) : obstacle_motion(obstacle, dt);
     }
-    if (cut.held_count > 0) {
-        return {.velocity = cut.held_sum / cut.held_count};
+    if (zone.held_count > 0) {
+        return {.velocity = zone.held_sum / zone.held_count};
     }
-    return rigid_motion(surface, cut.vertices);
+    return rigid_motion(surface, zone.vertices);
 }
 
 } // namespace
 
-void Islands::reset(std::size_t vertex_count) {
+void ImpactZones::reset(std::size_t vertex_count) {
     sets_.reset(vertex_count);
 }
 
-void Islands::reset(const ContactSurface& surface) {
+void ImpactZones::reset(const ContactSurface& surface) {
     reset(at(surface.deformable_vertices));
     for (const ContactBody& body : surface.bodies) {
         const auto join_all = [&](Index first, Index count) {
@@ -167,7 +158,7 @@ void Islands::reset(const ContactSurface& surface) {
     }
 }
 
-void Islands::join(const ContactSurface& surface, const std::array<Index, 4>& vertices) {
+void ImpactZones::join(const ContactSurface& surface, const std::array<Index, 4>& vertices) {
     Index first = k_no_index;
     for (const Index v : vertices) {
         if (surface.inverse_mass[at(v)] == 0.0) {
@@ -180,28 +171,27 @@ void Islands::join(const ContactSurface& surface, const std::array<Index, 4>& ve
     }
 }
 
-Index Islands::of(Index vertex) const {
+Index ImpactZones::of(Index vertex) const {
     return sets_.find(vertex);
 }
 
-int cut_back(ContactSurface& surface,
-             std::span<const Candidate> candidates,
-             std::span<const Impact> impacts,
-             const Islands& islands,
-             double strength,
-             double dt,
-             std::span<char> touched) {
-    const std::vector<Cut> cuts = collect_cuts(surface, candidates, impacts, islands);
-    for (const Cut& cut : cuts) {
-        const double factor = strength * k_kept_share * cut.toi;
-        const AffineMotion reference = reference_motion(surface, cut, dt);
-        for (const Index v : cut.vertices) {
+int ImpactZones::scale_motion(ContactSurface& surface,
+                              std::span<const Candidate> candidates,
+                              std::span<const Impact> impacts,
+                              double strength,
+                              double dt,
+                              std::span<char> touched) const {
+    const std::vector<MetZone> met_zones = collect_zones(surface, candidates, impacts, *this);
+    for (const MetZone& zone : met_zones) {
+        const double factor = strength * k_kept_fraction * zone.toi;
+        const AffineMotion reference = reference_motion(surface, zone, dt);
+        for (const Index v : zone.vertices) {
             const Vec3 base = reference.at(surface.start[at(v)]);
             surface.velocity[at(v)] = base + factor * (surface.velocity[at(v)] - base);
             touched[at(v)] = 1;
         }
     }
-    return static_cast<int>(cuts.size());
+    return static_cast<int>(met_zones.size());
 }
 
 } // namespace weft

@@ -1,6 +1,4 @@
-#include "adapt/contact_legacies.h"
-
-#include "state/contact_legacy.h"
+#include "adapt/friction_transfer.h"
 
 #include <algorithm>
 #include <cassert>
@@ -9,7 +7,7 @@ namespace weft {
 
 namespace {
 
-bool comes_before(const ContactMemory& a, const ContactMemory& b) {
+bool comes_before(const FrictionHistory& a, const FrictionHistory& b) {
     return a.pair < b.pair;
 }
 
@@ -30,30 +28,31 @@ std::vector<Index> objects_of(const World& world) {
 
 } // namespace
 
-ContactLegacies::ContactLegacies(World& world, Index first, std::span<const char> is_changed)
+FrictionTransfer::FrictionTransfer(World& world, Index first, std::span<const char> is_changed)
     : first_(first), old_count_(static_cast<Index>(is_changed.size())),
       objects_(objects_of(world)) {
     assert(std::is_sorted(objects_.begin(), objects_.end()));
     const auto is_own = [&](Index v) { return v >= first_ && v < first_ + old_count_; };
     const auto changes = [&](Index v) { return is_own(v) && is_changed[at(v - first_)] != 0; };
-    std::erase_if(world.contact_memory, [&](const ContactMemory& memory) {
-        if (is_legacy(memory) && is_own(memory.pair[0])) { // of an adaptation just before this one
+    std::erase_if(world.friction_history, [&](const FrictionHistory& memory) {
+        if (is_transfer(memory) &&
+            is_own(memory.pair[0])) { // of an adaptation just before this one
             add(world, memory.pair[0], memory.pair[3], memory, 1.0);
             return true;
         }
-        if (is_legacy(memory) || std::none_of(memory.pair.begin(), memory.pair.end(), changes)) {
+        if (is_transfer(memory) || std::none_of(memory.pair.begin(), memory.pair.end(), changes)) {
             return false;
         }
         take(world, memory);
         return true;
     });
-    std::stable_sort(legacies_.begin(), legacies_.end(), comes_before);
+    std::stable_sort(transfers_.begin(), transfers_.end(), comes_before);
     join_equal();
 }
 
 /// A side lies in one object. Of a pair within the cloth only the first vertex and the last are
 /// known to lie on different sides; each of them has half of it.
-void ContactLegacies::take(const World& world, const ContactMemory& pair) {
+void FrictionTransfer::take(const World& world, const FrictionHistory& pair) {
     const auto is_own = [&](Index v) { return v >= first_ && v < first_ + old_count_; };
     const Index front = pair.pair.front();
     const Index back = pair.pair.back();
@@ -72,45 +71,45 @@ void ContactLegacies::take(const World& world, const ContactMemory& pair) {
     }
 }
 
-void ContactLegacies::add(
-    const World& world, Index vertex, Index partner, const ContactMemory& pair, double share) {
+void FrictionTransfer::add(
+    const World& world, Index vertex, Index partner, const FrictionHistory& pair, double share) {
     const Index object = *(std::upper_bound(objects_.begin(), objects_.end(), partner) - 1);
-    legacies_.push_back({legacy_pair(vertex - first_, object), pair.rest,
-                         share / world.masses[at(vertex)] * pair.slip, pair.slides});
+    transfers_.push_back({transfer_key(vertex - first_, object), pair.rest_gap,
+                          share / world.masses[at(vertex)] * pair.slip, pair.slides});
 }
 
 /// Sums those of one vertex and object.
-void ContactLegacies::join_equal() {
+void FrictionTransfer::join_equal() {
     std::size_t count = 0;
-    for (const ContactMemory& one : legacies_) {
-        if (count == 0 || legacies_[count - 1].pair != one.pair) {
-            legacies_[count++] = one;
+    for (const FrictionHistory& one : transfers_) {
+        if (count == 0 || transfers_[count - 1].pair != one.pair) {
+            transfers_[count++] = one;
             continue;
         }
-        ContactMemory& sum = legacies_[count - 1];
+        FrictionHistory& sum = transfers_[count - 1];
         sum.slip += one.slip;
-        sum.rest = std::max(sum.rest, one.rest);
+        sum.rest_gap = std::max(sum.rest_gap, one.rest_gap);
         sum.slides |= one.slides;
     }
-    legacies_.resize(count);
+    transfers_.resize(count);
 }
 
-std::span<const ContactMemory> ContactLegacies::of(Index vertex) const {
+std::span<const FrictionHistory> FrictionTransfer::of(Index vertex) const {
     const auto begin =
-        std::partition_point(legacies_.begin(), legacies_.end(),
-                             [&](const ContactMemory& one) { return one.pair[0] < vertex; });
+        std::partition_point(transfers_.begin(), transfers_.end(),
+                             [&](const FrictionHistory& one) { return one.pair[0] < vertex; });
     const auto end = std::partition_point(
-        begin, legacies_.end(), [&](const ContactMemory& one) { return one.pair[0] == vertex; });
+        begin, transfers_.end(), [&](const FrictionHistory& one) { return one.pair[0] == vertex; });
     return {begin, end};
 }
 
-void ContactLegacies::inherit(const VertexParents& place) {
-    assert(legacies_.empty() || legacies_.back().pair[0] < place.vertex);
-    std::vector<ContactMemory> own; // one an object: few
-    std::vector<double> weights;    // of the parents that touch it
+void FrictionTransfer::inherit(const VertexParents& place) {
+    assert(transfers_.empty() || transfers_.back().pair[0] < place.vertex);
+    std::vector<FrictionHistory> own; // one an object: few
+    std::vector<double> weights;      // of the parents that touch it
     for (std::size_t k = 0; k < 3 && place.parents[k] != k_no_index; ++k) {
-        for (const ContactMemory& one : of(place.parents[k])) {
-            const auto pair = legacy_pair(place.vertex, one.pair[3]);
+        for (const FrictionHistory& one : of(place.parents[k])) {
+            const auto pair = transfer_key(place.vertex, one.pair[3]);
             const auto known =
                 std::find_if(own.begin(), own.end(), [&](const auto& o) { return o.pair == pair; });
             const auto i = static_cast<std::size_t>(known - own.begin());
@@ -119,32 +118,32 @@ void ContactLegacies::inherit(const VertexParents& place) {
                 weights.push_back(0.0);
             }
             own[i].slip += place.weights[k] * one.slip;
-            own[i].rest += place.weights[k] * one.rest;
+            own[i].rest_gap += place.weights[k] * one.rest_gap;
             own[i].slides |= one.slides;
             weights[i] += place.weights[k];
         }
     }
     for (std::size_t i = 0; i < own.size(); ++i) {
-        own[i].rest /= weights[i];
+        own[i].rest_gap /= weights[i];
     }
     std::sort(own.begin(), own.end(), comes_before);
-    legacies_.insert(legacies_.end(), own.begin(), own.end());
+    transfers_.insert(transfers_.end(), own.begin(), own.end());
 }
 
-void ContactLegacies::leave(World& world,
-                            std::span<const Index> former,
-                            std::span<const double> masses) const {
+void FrictionTransfer::leave(World& world,
+                             std::span<const Index> former,
+                             std::span<const double> masses) const {
     const auto count = static_cast<Index>(former.size());
     for (Index v = 0; v < count; ++v) {
-        for (ContactMemory one : of(former[at(v)])) {
+        for (FrictionHistory one : of(former[at(v)])) {
             const Index object = one.pair[3]; // the first vertex of a cloth stays
             one.pair =
-                legacy_pair(first_ + v, object > first_ ? object + count - old_count_ : object);
+                transfer_key(first_ + v, object > first_ ? object + count - old_count_ : object);
             one.slip *= masses[at(v)];
-            world.contact_memory.push_back(one);
+            world.friction_history.push_back(one);
         }
     }
-    std::sort(world.contact_memory.begin(), world.contact_memory.end(), comes_before);
+    std::sort(world.friction_history.begin(), world.friction_history.end(), comes_before);
 }
 
 } // namespace weft

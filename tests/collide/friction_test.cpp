@@ -1,4 +1,4 @@
-#include "collide/contact_law.h"
+#include "collide/friction.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,7 @@ namespace weft {
 
 namespace {
 
-constexpr NormalLaw k_push{.stiffness = 800.0, .room = 7e-4};
 constexpr FrictionLaw k_hold{.stiffness = 800.0, .limit = 0.02}; // slides from 25 micrometres on
-
-/// Before contact, light, near the end of the room, on the tangent beyond it.
-constexpr std::array k_approaches{-1e-4, 1e-6, 1e-4, 5.59e-4, 5.61e-4, 2e-3};
 
 std::vector<Vec3> displacements() {
     std::mt19937 random(3);
@@ -26,24 +22,6 @@ std::vector<Vec3> displacements() {
 }
 
 } // namespace
-
-TEST(NormalLaw, ForceIsTheSlopeOfItsEnergyAndTangentThatOfItsForce) {
-    for (const double s : k_approaches) {
-        constexpr double step = 1e-9;
-        const double slope = (k_push.energy(s + step) - k_push.energy(s - step)) / (2.0 * step);
-        const double tangent = (k_push.force(s + step) - k_push.force(s - step)) / (2.0 * step);
-
-        EXPECT_NEAR(k_push.force(s), slope, 1e-6 * (1.0 + slope)) << s;
-        EXPECT_NEAR(k_push.tangent(s), tangent, 1e-4 * (1.0 + tangent)) << s;
-    }
-}
-
-TEST(NormalLaw, StartsAsALinearSpringAndStiffensAsTheRoomIsUsedUp) {
-    EXPECT_EQ(k_push.force(0.0), 0.0);
-    EXPECT_EQ(k_push.force(-1e-3), 0.0);
-    EXPECT_NEAR(k_push.tangent(1e-12), 800.0, 1e-4);
-    EXPECT_NEAR(k_push.tangent(7e-4), 25.0 * 800.0, 1e-6);
-}
 
 TEST(FrictionLaw, ForceIsTheSlopeOfItsEnergyAndTangentThatOfItsForce) {
     for (const Vec3& u : displacements()) {
@@ -62,7 +40,7 @@ TEST(FrictionLaw, ForceIsTheSlopeOfItsEnergyAndTangentThatOfItsForce) {
     }
 }
 
-TEST(FrictionLaw, CautiousTangentLiesAboveTheEnergyEverywhere) {
+TEST(FrictionLaw, DampedTangentLiesAboveTheEnergyEverywhere) {
     for (const Vec3& u : displacements()) {
         const Mat3 above = k_hold.damped_tangent(u, 1.0);
         EXPECT_LT((k_hold.damped_tangent(u, 0.0) - k_hold.tangent(u)).norm(), 1e-12);

@@ -1,5 +1,4 @@
-#include "collide/contact.h"
-#include "state/contact_legacy.h"
+#include "collide/contact_solver.h"
 #include "support/contact_world.h"
 
 #include <gtest/gtest.h>
@@ -14,9 +13,9 @@ constexpr double k_thickness = 1e-3;
 constexpr double k_depth = 1e-4;
 
 /// Three sheets of unlike meshes, one above the other, a little nearer than they rest.
-class SheetsWithLegacies {
+class SheetsWithTransfers {
 public:
-    SheetsWithLegacies() {
+    SheetsWithTransfers() {
         FabricParams fabric;
         fabric.thickness = k_thickness;
         for (const int cells : {4, 7, 5}) {
@@ -27,10 +26,10 @@ public:
 
     /// By a vertex of a cloth, against another cloth.
     void leave(std::size_t cloth, Index vertex, std::size_t partner, const Vec3& slip) {
-        world.contact_memory.push_back({legacy_pair(world.cloths[cloth].first_vertex + vertex,
-                                                    world.cloths[partner].first_vertex),
-                                        k_thickness, slip, 0});
-        std::sort(world.contact_memory.begin(), world.contact_memory.end(),
+        world.friction_history.push_back({transfer_key(world.cloths[cloth].first_vertex + vertex,
+                                                       world.cloths[partner].first_vertex),
+                                          k_thickness, slip, 0});
+        std::sort(world.friction_history.begin(), world.friction_history.end(),
                   [](const auto& a, const auto& b) { return a.pair < b.pair; });
     }
 
@@ -64,8 +63,8 @@ public:
 
 } // namespace
 
-TEST(LegacyShares, PairsFoundTakeOverAllOfTheSlip) {
-    SheetsWithLegacies sheets;
+TEST(FrictionHistory, PairsFoundTakeOverAllOfTheSlip) {
+    SheetsWithTransfers sheets;
     const Vec3 below(1e-5, 0.0, 2e-5);
     const Vec3 above(-3e-5, 0.0, 1e-5);
     sheets.leave(1, 27, 0, below);
@@ -79,8 +78,8 @@ TEST(LegacyShares, PairsFoundTakeOverAllOfTheSlip) {
     EXPECT_EQ(sheets.slip_between(0, 2, contacts), Vec3(Vec3::Zero()));
 }
 
-TEST(LegacyShares, BothClothsMayLeaveSome) {
-    SheetsWithLegacies sheets;
+TEST(FrictionHistory, BothClothsMayLeaveSome) {
+    SheetsWithTransfers sheets;
     const Vec3 slip(1e-5, 0.0, 2e-5);
     sheets.leave(1, 27, 0, slip);
     sheets.leave(0, 12, 1, -3.0 * slip); // the same way, as the other sees it
@@ -90,8 +89,8 @@ TEST(LegacyShares, BothClothsMayLeaveSome) {
     EXPECT_LT((sheets.slip_between(1, 0, contacts) - 4.0 * slip).norm(), 1e-18);
 }
 
-TEST(LegacyShares, PairsTakeByWeightAndDepthAndOnlyAtTheVertex) {
-    SheetsWithLegacies sheets;
+TEST(FrictionHistory, PairsTakeByWeightAndDepthAndOnlyAtTheVertex) {
+    SheetsWithTransfers sheets;
     const Vec3 slip(1e-5, 0.0, 0.0);
     sheets.leave(1, 27, 0, slip);
     const Index v = sheets.world.cloths[1].first_vertex + 27;
@@ -105,7 +104,7 @@ TEST(LegacyShares, PairsTakeByWeightAndDepthAndOnlyAtTheVertex) {
                 weight += contact.pair[i] == v ? contact.weights[i] : 0.0;
             }
         }
-        return weight * std::max(0.0, contact.rest - contact.gap);
+        return weight * std::max(0.0, contact.rest_gap - contact.gap);
     };
     double claims = 0.0;
     int takers = 0;
@@ -119,8 +118,8 @@ TEST(LegacyShares, PairsTakeByWeightAndDepthAndOnlyAtTheVertex) {
     }
 }
 
-TEST(LegacyShares, PairsThatAreRememberedKeepTheirOwn) {
-    SheetsWithLegacies sheets;
+TEST(FrictionHistory, PairsThatAreRememberedKeepTheirOwn) {
+    SheetsWithTransfers sheets;
     const std::vector<Contact> before = sheets.find();
     const Index v = sheets.world.cloths[1].first_vertex + 27;
     const auto own = std::find_if(before.begin(), before.end(), [&](const Contact& contact) {
@@ -129,7 +128,7 @@ TEST(LegacyShares, PairsThatAreRememberedKeepTheirOwn) {
     });
     ASSERT_NE(own, before.end());
     const Vec3 known(0.0, 0.0, 7e-6);
-    sheets.world.contact_memory.push_back({own->pair, k_thickness, known, 0});
+    sheets.world.friction_history.push_back({own->pair, k_thickness, known, 0});
     sheets.leave(1, 27, 0, Vec3(1e-5, 0.0, 0.0));
 
     const std::vector<Contact> contacts = sheets.find();
@@ -141,8 +140,8 @@ TEST(LegacyShares, PairsThatAreRememberedKeepTheirOwn) {
 }
 
 /// Its partner is only named by a vertex, which has no part in what is remembered.
-TEST(LegacyShares, RestGapsPassToThePairsOfTheVertexAlone) {
-    SheetsWithLegacies sheets;
+TEST(FrictionHistory, RestGapsPassToThePairsOfTheVertexAlone) {
+    SheetsWithTransfers sheets;
     sheets.leave(1, 27, 0, Vec3::Zero());
     const Index v = sheets.world.cloths[1].first_vertex + 27;
 
@@ -150,7 +149,7 @@ TEST(LegacyShares, RestGapsPassToThePairsOfTheVertexAlone) {
         const bool is_there =
             std::find(contact.pair.begin(), contact.pair.end(), v) != contact.pair.end();
         // others start from where they are, and part by a share of the rest
-        EXPECT_EQ(contact.rest > contact.gap + 0.5 * k_depth, is_there);
+        EXPECT_EQ(contact.rest_gap > contact.gap + 0.5 * k_depth, is_there);
     }
 }
 
