@@ -26,9 +26,9 @@ public:
     /// @param gravity  m/s^2
     WorldAdaptation(const World& world, const Vec3& gravity);
 
-    /// @param time     of the world's state, s
+    /// @param time     at which the world's state stands, s
     /// @param contact  has just resolved the substep
-    /// @param changes  of each cloth
+    /// @param changes  receives the changes of each cloth
     AdaptationReport adapt(World& world,
                            double time,
                            const ContactSolver& contact,
@@ -47,7 +47,7 @@ private:
 
     ObstacleCurvature obstacles_;
     Vec3 gravity_;
-    std::vector<std::unique_ptr<Sqrt3Mesh>> meshes_; ///< of each cloth; null: not adaptive
+    std::vector<std::unique_ptr<Sqrt3Mesh>> meshes_; ///< by cloth; null: not adaptive
     std::vector<double> near_curvature_, coarseness_;
 };
 

@@ -10,7 +10,7 @@ namespace weft {
 
 /// A vertex of an element that an adaptation changed.
 struct ChangedVertex {
-    Index vertex;                     ///< of the cloth as it is now
+    Index vertex;                     ///< index in the cloth as it is now
     double area_before = 0.0;         ///< rest area, m^2; 0: it is new
     Vec3 force_change = Vec3::Zero(); ///< change of the elastic force on it, N
 };

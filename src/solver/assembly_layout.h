@@ -49,7 +49,7 @@ public:
         std::size_t force_begin;     ///< in the array of element forces, one a node
         std::size_t block_begin;     ///< in that of element blocks; constant sets have their own
         bool is_constant, is_difference;
-        std::uint64_t reciprocal; ///< of nodes_per_element, in 2^-33
+        std::uint64_t reciprocal; ///< 1 / nodes_per_element, in units of 2^-33
 
         /// Element of a node. Multiplied, as there are tens of these for each row of a matrix.
         /// @param node counted from the set's first, below 2^30; the division is exact so far, for
@@ -79,7 +79,7 @@ public:
     std::size_t vertex_count() const;                      ///< up to the last object's end
     std::size_t slot_count() const { return slot_count_; } ///< with the gaps
     std::size_t force_count() const { return force_count_; }
-    std::size_t block_count() const { return block_count_; } ///< of the sets that are not constant
+    std::size_t block_count() const { return block_count_; } ///< without the constant sets
     std::size_t constant_count() const { return constant_count_; }
 
     std::size_t slot_of(Index vertex) const;

@@ -43,12 +43,12 @@ void multiply(const BlockMatrix& matrix, std::span<const Vec3> x, std::span<Vec3
 /// @param row_begin, column  of the pattern, as in BlockMatrix
 std::vector<Index> locality_order(std::span<const Index> row_begin, std::span<const Index> column);
 
-/// A matrix with the blocks of another one and those that contacts join. The pattern is made anew
-/// only when what contacts join, beyond what the other one has, changes.
+/// A matrix with the blocks of another one, its base, and blocks where contacts join rows. The
+/// pattern is rebuilt only when contacts join other rows, beyond those that the base joins.
 class CoupledMatrix {
 public:
-    /// Room for the blocks of `base`, whose pattern must be the same until `reset`, and for
-    /// `joined` (any order, repeats allowed). True when the pattern changed.
+    /// Sets the pattern to the blocks of `base`, whose pattern must stay the same until `reset`,
+    /// and `joined` (any order, repeats allowed). Returns whether the pattern changed.
     bool couple(const BlockMatrix& base, std::span<const BlockEntry> joined);
 
     /// Forgets the pattern.
@@ -65,7 +65,7 @@ private:
     bool is_built_ = false;
     std::vector<BlockEntry> extra_, wanted_; ///< both triangles, sorted
     BlockMatrix matrix_;
-    std::vector<Index> place_of_base_; ///< of each block of the base
+    std::vector<Index> place_of_base_; ///< by block of the base
 };
 
 } // namespace weft

@@ -10,7 +10,7 @@ namespace weft {
 
 namespace {
 
-/// Rows a domain. Smaller: more domains to share among threads, but weaker coupling and more
+/// Rows a domain. Smaller: more domains to spread over threads, but weaker coupling and more
 /// iterations; 1024 costs about 5 % more iterations than one domain on a 64 x 64 sheet.
 constexpr std::size_t k_domain_rows = 1024;
 constexpr float k_first_shift = 1e-3F;
@@ -175,8 +175,8 @@ void IncompleteCholesky::apply(std::span<const Vec3> r, std::span<Vec3> z) {
         domains_.size(), [&](std::size_t d) { solve_domain(domains_[d], r, z); }, 1);
 }
 
-/// Breadth first from the lowest row that is left, until the patch is full; what is left over in
-/// small pieces goes to a neighbour.
+/// Grows each patch breadth first from the lowest row that is left, until it is full. A small
+/// leftover joins a neighbouring patch.
 void CoarseSpace::set_pattern(const BlockMatrix& pattern) {
     const std::size_t rows = pattern.rows();
     is_factored_ = false;

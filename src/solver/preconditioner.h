@@ -25,7 +25,7 @@ public:
     /// z = (L L^T)^-1 r.
     void apply(std::span<const Vec3> r, std::span<Vec3> z);
 
-    double shift() const { return shift_; } ///< of the diagonal in the last factor, relative
+    double shift() const { return shift_; } ///< relative shift of the diagonal in the last factor
 
 private:
     using Block = Eigen::Matrix3f;
@@ -39,7 +39,7 @@ private:
     void solve_domain(const Domain& domain, std::span<const Vec3> r, std::span<Vec3> z);
 
     std::vector<Domain> domains_;
-    std::vector<Index> row_begin_; ///< of the strictly lower blocks inside a domain
+    std::vector<Index> row_begin_; ///< strictly lower blocks inside a domain
     std::vector<Index> column_;
     std::vector<Index> source_; ///< place of each in matrix.blocks
     std::vector<Block> lower_;
@@ -48,10 +48,10 @@ private:
     double shift_ = 0.0;
 };
 
-/// The motions of a system that reach far: patches of neighbouring rows that move rigidly. What a
-/// preconditioner that looks at neighbours alone needs many iterations to carry across the cloth is
-/// solved here at once, in a small dense system A_c = P^T A P with six columns of P a patch: three
-/// translations, and three rotations about the patch's centre.
+/// The coarse level: patches of neighbouring rows that move rigidly. A local preconditioner needs
+/// many iterations to carry a motion across the cloth; the coarse space solves for it at once, in a
+/// small dense system A_c = P^T A P with six columns of P a patch: three translations, and three
+/// rotations about the patch's centre.
 ///
 /// Source: additive two-level Schwarz with a coarse space of rigid modes of aggregates (Vanek,
 /// Mandel and Brezina 1996; Tamstorf, Jones and McCormick 2015 for cloth).
@@ -62,14 +62,15 @@ public:
 
     /// The coarse system of a matrix with at least the rows of the pattern.
     /// @param places  #rows, where each row's vertex is, m
-    /// @param fixed   #rows: 1: its row is the identity, it takes no part
+    /// @param fixed   #rows; 1: the row is the identity and takes no part
     void
     build(const BlockMatrix& matrix, std::span<const Vec3> places, std::span<const char> fixed);
 
     /// z += P A_c^-1 P^T r.
     void add_correction(std::span<const Vec3> r, std::span<Vec3> z);
 
-    /// Too few rows to gain anything, or a system that cannot be factored: corrections are zero.
+    /// True with too few rows to gain anything, or when the system could not be factored:
+    /// corrections are then zero.
     bool is_empty() const { return !is_factored_; }
 
     std::size_t patch_count() const { return patch_begin_.empty() ? 0 : patch_begin_.size() - 1; }

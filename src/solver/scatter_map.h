@@ -155,7 +155,7 @@ private:
         Index pair = k_no_index;     ///< none yet, or none any more
         std::uint32_t is_joined = 0; ///< by an element
         std::uint32_t blocks = 0;    ///< number of gathered blocks; 0 for a lower slot
-        std::uint32_t end = 0;       ///< of its blocks in sorted_sources_
+        std::uint32_t end = 0;       ///< end of its blocks in sorted_sources_
         double constant = 0.0;
     };
     /// A block that sums into the pair with a neighbour of the current row.
@@ -211,7 +211,7 @@ private:
 
     std::vector<std::size_t> element_counts_;                 ///< by set, what the lists hold
     std::vector<std::size_t> vertex_counts_;                  ///< by object
-    std::size_t most_nodes_ = 0;                              ///< of an element
+    std::size_t most_nodes_ = 0;                              ///< most nodes of any element
     std::vector<std::vector<std::uint32_t>> element_sources_; ///< by set, see block_sources()
     std::vector<Index> nodes_;        ///< slot of each element's nodes, as element forces stand
     ListPool<std::uint32_t> forces_;  ///< by slot
@@ -228,13 +228,13 @@ private:
     std::vector<RowEntry> row_;
     std::vector<Gathered> gathered_; ///< its first gathered_count_, in the order of the elements
     std::size_t gathered_count_ = 0;
-    std::vector<std::uint32_t> sorted_sources_; ///< of gathered_, neighbour by neighbour
+    std::vector<std::uint32_t> sorted_sources_; ///< sources of gathered_, neighbour by neighbour
     std::vector<Mark> mark_;                    ///< by slot
     std::uint32_t last_mark_ = 0;
 
     // while an element changes
     std::vector<Index> now_;      ///< slots of its nodes
-    std::size_t last_object_ = 0; ///< of a node
+    std::size_t last_object_ = 0; ///< that slot_of() found
 };
 
 } // namespace weft

@@ -19,7 +19,7 @@ struct LinearStep {
     std::span<const Index> row_of_vertex; ///< k_no_index: embedded
     std::span<const char> constrained;    ///< by vertex
     double beta;                          ///< s
-    double tolerance;                     ///< of the balance, N s
+    double tolerance;                     ///< norm of the imbalance to stop at, N s
     std::span<Vec3> residual;             ///< by row, N s
     std::span<Vec3> x;                    ///< by vertex: where vertices end, m
     std::span<Vec3> v;                    ///< by vertex: with which velocity, m/s
@@ -34,20 +34,21 @@ struct BalanceReport {
     int rounds = 0;
     int cg_iterations = 0;
     double imbalance = 0.0; ///< N s, at the end
-    bool converged = false; ///< of the linear solves
+    bool converged = false; ///< all linear solves
     double seconds_assembly = 0.0, seconds_solve = 0.0;
 };
 
-/// Balances a linearised step with contact: Newton's method on the convex potential that both have
-/// while the limits of friction stand, with an exact line search (along a line the step is a
-/// parabola and contact costs one pass over the contacts), the limits fitted anew in each round.
-/// Rounds are solved only as well as it takes (inexact Newton).
+/// Balances a linearised step with contact. With the friction limits fixed, both have one convex
+/// potential, which each round lowers by one step of Newton's method with an exact line search
+/// (along a line the step is a parabola, and contact costs one pass over the contacts). Each round
+/// first fits the limits to the normal forces, and solves only as well as it takes (inexact
+/// Newton).
 class ContactNewton {
 public:
-    /// Forgets the pattern of the matrices, which must else always be the same.
+    /// Forgets the pattern of the matrices, which otherwise must never change.
     void reset();
 
-    /// From where the step stands to the balance. Deterministic.
+    /// Takes a step from where it stands to the balance. Deterministic.
     BalanceReport solve(const LinearStep& step, ContactForces& contact);
 
     /// Moves along `direction` (by row, 0 for constrained rows) as far as lowers the potential
@@ -73,8 +74,8 @@ private:
     bool is_coarse_built_ = false; ///< its system is of the present step
     ConjugateGradient cg_;
     bool was_coupled_ = false;
-    double damping_ = 0.0; ///< of the round, see FrictionLaw
-    int revision_ = -1;    ///< of the contacts whose blocks are coupled
+    double damping_ = 0.0; ///< friction damping in this round, see FrictionLaw
+    int revision_ = -1;    ///< revision of the contacts whose blocks are coupled
     std::vector<BlockEntry> joined_;
     std::vector<Vec3> row_positions_;                   ///< by row
     std::vector<char> fixed_;                           ///< by row

@@ -97,9 +97,9 @@ private:
     double dt_ = 0.0;
     double beta_ = 0.0;
     double floor_ = 0.0; ///< least scale of the balance: impulse of gravity over a substep, N s
-    double scale_ = 0.0; ///< of the balance, N s
+    double scale_ = 0.0; ///< norm that the balance is relative to, N s
     std::vector<Vec3> x_base_, v_base_, guess_;
-    std::vector<Vec3> x_, v_, force_, residual_, change_; ///< of the current iterate, by vertex
+    std::vector<Vec3> x_, v_, force_, residual_, change_; ///< the current iterate, by vertex
     std::vector<Vec3> linear_v_, trial_x_, trial_v_;
     std::vector<Vec3> row_residual_, row_change_, row_product_, row_right_;
     std::vector<double> diagonal_;

@@ -36,7 +36,7 @@ public:
 
 private:
     std::vector<std::vector<Vec3>> cloths_; ///< positions; empty for adaptive cloths
-    std::vector<Vec3> bodies_;              ///< of all solids and rigid bodies
+    std::vector<Vec3> bodies_;              ///< vertices of all solids and rigid bodies
 };
 
 } // namespace weft

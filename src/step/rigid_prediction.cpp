@@ -14,7 +14,7 @@ constexpr double k_piece = 0.05;
 /// Pieces at most: what turns faster is as good as lost anyway.
 constexpr double k_most_pieces = 4096.0;
 
-using Coefficients = Eigen::Vector4d; ///< of a quaternion, x y z w
+using Coefficients = Eigen::Vector4d; ///< a quaternion as x y z w
 
 /// dq/dt = turning q / 2 where the body at rotation q turns with its angular momentum.
 Coefficients rate(const FourPoints& rest, const RigidMotion& motion, const Coefficients& q) {

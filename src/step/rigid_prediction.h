@@ -8,7 +8,7 @@ namespace weft {
 /// alone would stretch a turning body along the tangents and lose its spin; so the step starts from
 /// this prediction, and its result is projected to a rigid motion.
 struct RigidPrediction {
-    FourPoints positions, velocities; ///< of the particles at the end
+    FourPoints positions, velocities; ///< the particles at the end
 };
 
 /// Free motion for dt (s): the centre goes straight on, and the body turns with its angular
