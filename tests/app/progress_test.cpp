@@ -22,7 +22,7 @@ TEST(FrameClock, CountsOnlyTheFramesOfThisProcess) {
     EXPECT_EQ(clock.seconds_left(100, 200.0), 0.0);
 }
 
-TEST(ProgressLine, NamesWhatTheDesignAsksFor) {
+TEST(ProgressLine, NamesFrameTimeTrianglesAndContacts) {
     const std::string line = progress_line({.frame = 50, .triangles = 8192, .contacts = 77}, 200,
                                            FrameClock(0, 200), 25.0);
 

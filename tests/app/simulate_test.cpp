@@ -93,7 +93,7 @@ protected:
     fs::path scene = folder / "napkin.toml";
 };
 
-TEST_F(Simulate, WritesAllThatTheDesignNames) {
+TEST_F(Simulate, WritesAllThatTheDocumentationNames) {
     const RunPaths paths{folder / "out"};
 
     const test::ProcessResult result =

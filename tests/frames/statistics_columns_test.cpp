@@ -14,14 +14,14 @@ CsvTable table_of(const FrameStatistics& statistics) {
     return parse_csv(statistics_header() + "\n" + statistics_row(statistics) + "\n", "stats.csv");
 }
 
-TEST(StatisticsColumns, BeginWithTheColumnsOfTheDesign) {
-    constexpr std::string_view k_design =
+TEST(StatisticsColumns, BeginWithTheColumnsThatScriptsRelyOn) {
+    constexpr std::string_view k_first =
         "frame,time_s,substeps,retries,cg_iterations,residual,vertices,triangles,refined,"
         "coarsened,contacts_obstacle,contacts_self,unresolved,min_gap_m,stretch_min,stretch_mean,"
         "stretch_p95,stretch_max,shear_max_deg,kinetic_J,membrane_J,bending_J,gravity_J,com_x_m,"
         "com_y_m,com_z_m,max_speed_m_s,state_hash";
 
-    EXPECT_TRUE(statistics_header().starts_with(k_design));
+    EXPECT_TRUE(statistics_header().starts_with(k_first));
 }
 
 TEST(StatisticsColumns, PutEachNumberUnderItsName) {
