@@ -15,7 +15,7 @@ class App;
 
 namespace weft {
 
-/// What every verb that makes or draws a run understands (design: "Command line", Common).
+/// What every verb that makes or draws a run understands (docs/running.md).
 struct CommonOptions {
     std::filesystem::path out;     ///< -o; empty: not given
     FrameRange frames;             ///< -f: what is written

@@ -5,7 +5,7 @@
 
 namespace weft {
 
-/// Where each file of a run stands; design, "What a run writes".
+/// Where each file of a run stands: docs/output.md.
 struct RunPaths {
     std::filesystem::path folder;
 

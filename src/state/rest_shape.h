@@ -6,7 +6,7 @@
 namespace weft {
 
 /// Fills cloth.rest and cloth.material_positions from the placed mesh (rest = mesh: each triangle
-/// laid flat as it is, methods 1.6) or from its uv (rest = uv: panels in metres).
+/// laid flat as it is, docs/methods.md 1.6) or from its uv (rest = uv: panels in metres).
 ///
 /// Weft follows u and warp follows v where the mesh has uv; else warp follows the mesh's y axis
 /// laid onto each triangle (z where the triangle is level). `grain_deg` turns both.
