@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "collide/crossings.h"
 #include "scene/scene_reader.h"
 #include "state/update_attachments.h"
 #include "step/advance.h"
