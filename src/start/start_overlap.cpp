@@ -16,8 +16,8 @@ namespace {
 /// What growing took.
 struct GrowReport {
     double deepest_inset = 0.0;    ///< by which a vertex of an obstacle started shrunken, m
-    int rounds = 0;                ///< of untangling what shrinking left crossing
-    int substeps = 0;              ///< of the pre-roll
+    int rounds = 0;                ///< rounds of untangling what shrinking left crossing
+    int substeps = 0;              ///< substeps of the pre-roll
     double max_displacement = 0.0; ///< that a vertex of cloth moved, m
 };
 
@@ -26,29 +26,29 @@ struct GrowReport {
 constexpr double k_first_depth = 1e-3;
 constexpr double k_deeper = 1.5;
 
-/// Most that an obstacle is drawn in, as a share of its diagonal: 0.19 m for a body.
-constexpr double k_deepest_share = 0.1;
+/// Most that an obstacle is drawn in, as a fraction of its diagonal: 0.19 m for a body.
+constexpr double k_deepest_fraction = 0.1;
 
 /// Length of a substep of the pre-roll, s: what makes cloth follow and not swing.
 constexpr double k_substep = 0.01;
 
-/// Growth in one substep, as a share of the least contact thickness. Larger: more work left to
+/// Growth in one substep, as a fraction of the least contact thickness. Larger: more work left to
 /// continuous detection; smaller: a longer pre-roll.
-constexpr double k_growth_share = 0.5;
+constexpr double k_growth_fraction = 0.5;
 
 /// Bounds of the substeps of growth, and those after it in which contacts find their distance.
 constexpr int k_least_substeps = 10;
 constexpr int k_most_substeps = 400;
 constexpr int k_settling_substeps = 10;
 
-/// An obstacle during the pre-roll: its places at t = 0 in the world, and how it is drawn in.
+/// An obstacle during the pre-roll: its full size, and how it is drawn in.
 struct Grown {
     std::vector<Vec3> full; ///< m, world
     Inset inset;            ///< empty until something crosses the obstacle
     double depth = 0.0;     ///< m
 
-    Vec3 place(std::size_t vertex, double share) const {
-        return full[vertex] + inset.way(vertex, share * depth);
+    Vec3 place(std::size_t vertex, double fraction) const {
+        return full[vertex] + inset.way(vertex, fraction * depth);
     }
     double deepest() const {
         double deepest = 0.0;
@@ -157,7 +157,7 @@ private:
                 box.extend(x);
             }
             grown.inset =
-                find_inset(grown.full, mesh.triangles, k_deepest_share * box.diagonal().norm());
+                find_inset(grown.full, mesh.triangles, k_deepest_fraction * box.diagonal().norm());
         }
         grown.depth = grown.depth == 0.0 ? k_first_depth : k_deeper * grown.depth;
         for (std::size_t v = 0; v < grown.full.size(); ++v) {
@@ -174,7 +174,7 @@ private:
         for (const Grown& grown : grown_) {
             report_.deepest_inset = std::max(report_.deepest_inset, grown.deepest());
         }
-        const double wanted = std::ceil(report_.deepest_inset / (k_growth_share * thickness));
+        const double wanted = std::ceil(report_.deepest_inset / (k_growth_fraction * thickness));
         const int substeps =
             static_cast<int>(std::clamp<double>(wanted, k_least_substeps, k_most_substeps));
         const double duration = k_substep * substeps;
@@ -183,9 +183,9 @@ private:
             if (grown.depth > 0.0) {
                 still_.obstacles[o].deformation = std::make_shared<Deformation>(
                     grown.full.size(), 0, [&grown, duration](double t, std::span<Vec3> places) {
-                        const double share = std::max(1.0 - t / duration, 0.0);
+                        const double fraction = std::max(1.0 - t / duration, 0.0);
                         for (std::size_t v = 0; v < places.size(); ++v) {
-                            places[v] = share > 0.0 ? grown.place(v, share) : grown.full[v];
+                            places[v] = fraction > 0.0 ? grown.place(v, fraction) : grown.full[v];
                         }
                     });
             }

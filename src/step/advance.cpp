@@ -125,7 +125,7 @@ struct Stepper::Impl {
     StartPositions start_positions;
     std::optional<WorldCrossings> crossings; ///< made when asked for
     ContactParams contact_params;
-    std::vector<Index> adaptations; ///< of each cloth's mesh, as it is known here
+    std::vector<Index> adaptations; ///< revision of each cloth's mesh that the solvers follow
     std::vector<ClothChanges> changes;
     ConstrainedVertices constrained;
     std::vector<Contact> contacts, met;

@@ -102,12 +102,12 @@ private:
     std::span<const Vec3> start_;
     double dt_ = 0.0;
     std::span<const Contact> contacts_;
-    std::vector<Spring> springs_; ///< of each contact
-    std::vector<Term> terms_;     ///< of all contacts, one after the other
+    std::vector<Spring> springs_; ///< by contact
+    std::vector<Term> terms_;     ///< all contacts, one after the other
     std::vector<std::size_t> terms_begin_{0}, pair_begin_{0};
     int revision_ = 0;
-    std::vector<Index> term_blocks_; ///< of each contact's blocks, a row a term; k_no_index: none
-    std::vector<Mat3> blocks_;       ///< of each contact
+    std::vector<Index> term_blocks_; ///< blocks of each contact, a row a term; k_no_index: none
+    std::vector<Mat3> blocks_;       ///< by contact
     std::vector<Deflection> deflections_,
         deflection_rates_; ///< by contact: at x, and along the motion
 };
