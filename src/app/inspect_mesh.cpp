@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "geometry/mesh_measure.h"
 #include "geometry/self_crossings.h"
-#include "scene/object_choice.h"
+#include "scene/mesh_import.h"
 
 #include <fmt/core.h>
 

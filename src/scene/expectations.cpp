@@ -7,7 +7,6 @@
 #include <charconv>
 
 namespace weft {
-
 namespace {
 
 constexpr const char* k_frames_allowed = "must be A-B or A with 1 <= A <= B";

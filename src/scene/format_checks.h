@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,5 +21,12 @@ void check_ply(std::string_view bytes, const std::string& name);
 void check_stl(std::string_view bytes, const std::string& name);
 void check_off(std::string_view bytes, const std::string& name);
 void check_glb(std::string_view bytes, const std::string& name);
+
+/// Looks at a mesh file before assimp does: it exists, is a file, is not empty, and by its ending
+/// whatever format_checks.h has for it.
+///
+/// @param name  the file's name in messages
+/// Returns a warning or "". Throws Error (BadInput), one line.
+std::string check_mesh_file(const std::filesystem::path& file, const std::string& name);
 
 } // namespace weft

@@ -6,7 +6,6 @@
 #include <map>
 
 namespace weft {
-
 namespace {
 
 void renumber(TriangleMesh& mesh, std::span<const Index> new_index) {

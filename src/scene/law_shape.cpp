@@ -7,7 +7,6 @@
 #include <cmath>
 
 namespace weft {
-
 namespace {
 
 void add_between(std::vector<Softening>& intervals, double from, double to) {

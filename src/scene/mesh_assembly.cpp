@@ -3,16 +3,46 @@
 #include "geometry/mesh_repair.h"
 #include "geometry/weld.h"
 #include "scene/joined_mesh.h"
-#include "scene/likely_unit.h"
 #include "scene/rig_pose.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
 
 namespace weft {
-
 namespace {
+
+struct Unit {
+    const char* name;
+    double metres;
+};
+
+constexpr std::array<Unit, 4> k_units{{{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}}};
+
+/// A warning when the largest dimension of an object lies outside 1 cm to 10 m, naming the units
+/// that would make it as large as clothes and people are; "" otherwise.
+///
+/// @param size             largest dimension, m
+/// @param metres_per_unit  what was used to get there
+std::string size_warning(double size, double metres_per_unit) {
+    if (!(size > 0.0) || (size >= 0.01 && size <= 10.0)) {
+        return "";
+    }
+    std::string likely;
+    for (const Unit& unit : k_units) {
+        const double would_be = size / metres_per_unit * unit.metres;
+        const bool is_other = std::abs(unit.metres / metres_per_unit - 1.0) > 1e-6;
+        if (is_other && would_be >= 0.1 && would_be <= 3.0) {
+            likely += fmt::format("{}\"{}\" ({:.3g} m)", likely.empty() ? "" : " or ", unit.name,
+                                  would_be);
+        }
+    }
+    const std::string hint = likely.empty() ? "set units or scale" : "units may be " + likely;
+    return fmt::format("the largest dimension is {:.4g} m, outside 1 cm to 10 m: {}", size, hint);
+}
 
 /// "1 edge has", "3 edges have"
 std::string count(std::size_t number, const char* one, const char* many) {
@@ -20,12 +50,12 @@ std::string count(std::size_t number, const char* one, const char* many) {
 }
 
 /// The work of assemble_mesh(), stage by stage; each leaves the mesh usable by the next.
-class Assembler {
+class MeshAssembler {
 public:
-    Assembler(const MeshFile& file,
-              std::vector<std::size_t> chosen,
-              const MeshSource& source,
-              const std::string& name)
+    MeshAssembler(const MeshFile& file,
+                  std::vector<std::size_t> chosen,
+                  const MeshSource& source,
+                  const std::string& name)
         : file_(file), source_(source), name_(name), chosen_(std::move(chosen)) {}
 
     MeshAssembly run() {
@@ -279,7 +309,7 @@ MeshAssembly assemble_mesh(const MeshFile& file,
                            std::vector<std::size_t> chosen,
                            const MeshSource& source,
                            const std::string& name) {
-    return Assembler(file, std::move(chosen), source, name).run();
+    return MeshAssembler(file, std::move(chosen), source, name).run();
 }
 
 } // namespace weft

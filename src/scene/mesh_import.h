@@ -1,11 +1,13 @@
 #pragma once
 
 #include "geometry/triangle_mesh.h"
+#include "scene/mesh_file.h"
 #include "scene/params.h"
 #include "scene/rig.h"
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 
 namespace weft {
@@ -25,6 +27,24 @@ struct ImportedMesh {
     Mat3 to_world = Mat3::Identity();  ///< from the file's unit and axes, about its origin
     std::shared_ptr<const Rig> rig;    ///< when the file has animations
 };
+
+/// Indices of the objects that `wanted` names, in the file's order; all when `wanted` is empty. A
+/// name is a node's (a node without a surface of its own stands for all below it) or a mesh's.
+///
+/// Throws Error (BadInput) for a name that the file does not have, naming the nearest it has.
+std::vector<std::size_t>
+choose_objects(const MeshFile& file, std::span<const std::string> wanted, const std::string& name);
+
+/// The animation of an imported mesh that `wanted` names; the first when it is empty; null when
+/// there is none, when it is "none", or when it moves nothing of what was imported.
+///
+/// @param file  the file's name in messages
+/// Throws Error (BadInput) for a name that the file does not have, naming those it has.
+const Animation*
+choose_animation(const ImportedMesh& mesh, const std::string& wanted, const std::string& file);
+
+/// Whether an animation moves any of the vertices.
+bool animates(const Rig& rig, const Animation& animation, std::span<const SourceVertex> vertices);
 
 /// Reads a mesh file by assimp: node transforms applied, polygons triangulated, vertices welded by
 /// position, unit and up axis converted, winding made consistent.

@@ -7,7 +7,6 @@
 #include <numeric>
 
 namespace weft {
-
 namespace {
 
 /// What stands before the marks of a file's name, how many there are, and what stands behind.

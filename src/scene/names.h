@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
 
 namespace weft {
@@ -17,5 +18,12 @@ template <std::size_t N>
 constexpr bool is_one_of(const std::array<std::string_view, N>& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
+
+/// Whether a name can name files everywhere: 1 to 64 letters, digits, '_' or '-', or bytes of other
+/// alphabets in UTF-8; not beginning with '-'.
+bool is_object_name(std::string_view name);
+
+/// The nearest such name to any text, e.g. the stem of a file: other characters become '_'.
+std::string object_name_from(std::string_view text);
 
 } // namespace weft

@@ -4,7 +4,6 @@
 #include <numbers>
 
 namespace weft {
-
 namespace {
 
 /// Index i of the segment [keys[i], keys[i+1]] that holds t, and how far t is in it, in [0, 1].

@@ -1,4 +1,4 @@
-#include "scene/object_name.h"
+#include "scene/names.h"
 #include "scene/read_objects.h"
 #include "scene/toml_keys.h"
 

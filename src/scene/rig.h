@@ -18,7 +18,7 @@ struct RigNode {
 };
 
 /// Values at ascending times (s); constant before the first and after the last.
-template <typename Value> struct Keys {
+template <typename Value> struct KeyFrames {
     std::vector<double> times;
     std::vector<Value> values;
 };
@@ -26,15 +26,15 @@ template <typename Value> struct Keys {
 /// What moves a node: its transform is translation * rotation * scale. Tracks are never empty.
 struct NodeChannel {
     Index node;
-    Keys<Vec3> translation;
-    Keys<Eigen::Quaterniond> rotation; ///< unit; the shorter way between two
-    Keys<Vec3> scale;
+    KeyFrames<Vec3> translation;
+    KeyFrames<Eigen::Quaterniond> rotation; ///< unit; the shorter way between two
+    KeyFrames<Vec3> scale;
 };
 
 /// What moves the weights of a part's morph targets.
 struct MorphChannel {
     Index part;
-    Keys<std::vector<double>> weights; ///< one a target
+    KeyFrames<std::vector<double>> weights; ///< one a target
 };
 
 struct Animation {

@@ -9,7 +9,6 @@
 #include <unordered_map>
 
 namespace weft {
-
 namespace {
 
 /// What assimp's own viewers take when a file does not say how long a tick is.
@@ -65,7 +64,7 @@ private:
     NodeChannel read_channel(const aiNodeAnim& channel, Index node, double ticks) const;
     void silence_pivots(Index node, Animation& animation) const;
     bool is_meant(const std::string& name, const ObjectOrigin& origin) const;
-    Keys<std::vector<double>>
+    KeyFrames<std::vector<double>>
     read_weights(const aiMeshMorphAnim& channel, const RigPart& part, double ticks) const;
 
     const aiScene& scene_;
@@ -161,12 +160,12 @@ std::optional<Eigen::Quaterniond> finite_rotation(const aiQuaternion& q) {
     return std::isfinite(length) && length > 0.0 ? std::optional(value.normalized()) : std::nullopt;
 }
 
-/// Keys in seconds; those that are not finite or go back in time are left out. `rest` alone when
-/// nothing remains.
+/// KeyFrames in seconds; those that are not finite or go back in time are left out. `rest` alone
+/// when nothing remains.
 template <typename Value, typename Key, typename Convert>
-Keys<Value> read_keys(
+KeyFrames<Value> read_keys(
     const Key* keys, unsigned count, double ticks, const Value& rest, const Convert& convert) {
-    Keys<Value> result;
+    KeyFrames<Value> result;
     for (unsigned k = 0; k < count; ++k) {
         const double time = keys[k].mTime / ticks;
         const std::optional<Value> value = convert(keys[k].mValue);
@@ -220,9 +219,9 @@ bool RigReader::is_meant(const std::string& name, const ObjectOrigin& origin) co
            name == scene_.mMeshes[origin.mesh]->mName.C_Str();
 }
 
-Keys<std::vector<double>>
+KeyFrames<std::vector<double>>
 RigReader::read_weights(const aiMeshMorphAnim& channel, const RigPart& part, double ticks) const {
-    Keys<std::vector<double>> keys;
+    KeyFrames<std::vector<double>> keys;
     for (unsigned k = 0; k < channel.mNumKeys; ++k) {
         const aiMeshMorphKey& key = channel.mKeys[k];
         const double time = key.mTime / ticks;
@@ -257,7 +256,7 @@ Animation RigReader::read_animation(const aiAnimation& source,
     for (unsigned c = 0; c < source.mNumMorphMeshChannels; ++c) {
         const aiMeshMorphAnim& channel = *source.mMorphMeshChannels[c];
         for (std::size_t i = 0; i < origins.size(); ++i) {
-            Keys<std::vector<double>> keys = read_weights(channel, rig_.parts[i], ticks);
+            KeyFrames<std::vector<double>> keys = read_weights(channel, rig_.parts[i], ticks);
             if (is_meant(channel.mName.C_Str(), origins[i]) && !rig_.parts[i].targets.empty() &&
                 !keys.times.empty()) {
                 animation.morphs.push_back({static_cast<Index>(i), std::move(keys)});

@@ -7,7 +7,6 @@
 #include <cassert>
 
 namespace weft {
-
 namespace {
 
 /// The keys before and behind a time, and how far it is between them, in [0, 1].
@@ -74,17 +73,17 @@ template <typename V> void add(Hash& hash, const V& values) {
 
 } // namespace
 
-Vec3 value_at(const Keys<Vec3>& keys, double t) {
+Vec3 value_at(const KeyFrames<Vec3>& keys, double t) {
     const auto [a, b, s] = find_between(keys.times, t);
     return keys.values[a] + s * (keys.values[b] - keys.values[a]);
 }
 
-Eigen::Quaterniond value_at(const Keys<Eigen::Quaterniond>& keys, double t) {
+Eigen::Quaterniond value_at(const KeyFrames<Eigen::Quaterniond>& keys, double t) {
     const auto [a, b, s] = find_between(keys.times, t);
     return keys.values[a].slerp(s, keys.values[b]).normalized();
 }
 
-std::vector<double> value_at(const Keys<std::vector<double>>& keys, double t) {
+std::vector<double> value_at(const KeyFrames<std::vector<double>>& keys, double t) {
     const auto [a, b, s] = find_between(keys.times, t);
     std::vector<double> value = keys.values[a];
     for (std::size_t i = 0; i < value.size(); ++i) {

@@ -8,10 +8,10 @@
 namespace weft {
 
 /// The value of keys at time t: linear between two, constant outside.
-Vec3 value_at(const Keys<Vec3>& keys, double t);
+Vec3 value_at(const KeyFrames<Vec3>& keys, double t);
 /// The same on the unit sphere, at constant speed (slerp).
-Eigen::Quaterniond value_at(const Keys<Eigen::Quaterniond>& keys, double t);
-std::vector<double> value_at(const Keys<std::vector<double>>& keys, double t);
+Eigen::Quaterniond value_at(const KeyFrames<Eigen::Quaterniond>& keys, double t);
+std::vector<double> value_at(const KeyFrames<std::vector<double>>& keys, double t);
 
 /// Transform of every node to the file's frame at time t (s) of an animation.
 std::vector<Affine> node_transforms(const Rig& rig, const Animation& animation, double t);

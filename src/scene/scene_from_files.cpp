@@ -1,7 +1,7 @@
 #include "scene/scene_from_files.h"
 
 #include "base/error.h"
-#include "scene/object_name.h"
+#include "scene/names.h"
 #include "scene/scene_reader.h"
 #include "scene/toml_writer.h"
 

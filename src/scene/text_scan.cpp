@@ -6,7 +6,6 @@
 #include <type_traits>
 
 namespace weft {
-
 namespace {
 
 template <typename Number> std::optional<Number> parse_whole(std::string_view word) {

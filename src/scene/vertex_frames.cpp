@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace weft {
 
@@ -56,6 +57,14 @@ std::uint64_t VertexFrames::fingerprint() {
         hash.add(std::span<const Vec3f>(*frame(k)));
     }
     return hash.value();
+}
+
+double time_in_animation(const AnimationParams& params, double duration, double t) {
+    const double inside = std::max(0.0, (t - params.start) * params.speed);
+    if (params.end == AnimationEnd::Hold || duration <= 0.0) {
+        return std::min(inside, duration);
+    }
+    return std::fmod(inside, duration);
 }
 
 } // namespace weft

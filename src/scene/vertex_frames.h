@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/eigen.h"
+#include "scene/params.h"
 
 #include <cstdint>
 #include <functional>
@@ -47,5 +48,9 @@ private:
     std::size_t memory_;
     std::vector<Kept> kept_; ///< by last use
 };
+
+/// Time inside an animation of `duration` (s) at scene time t (s): (t - start) * speed, its first
+/// pose before, and behind its end the last pose or, looped, from the first again.
+double time_in_animation(const AnimationParams& params, double duration, double t);
 
 } // namespace weft

@@ -1,5 +1,4 @@
 #include "base/error.h"
-#include "scene/cache_order.h"
 #include "scene/point_cache.h"
 #include "support/temp_folder.h"
 #include "support/text_file.h"

@@ -1,5 +1,5 @@
-#include "scene/animation_choice.h"
 #include "scene/joined_mesh.h"
+#include "scene/mesh_import.h"
 #include "scene/rig_pose.h"
 #include "support/real_models.h"
 #include "support/temp_folder.h"
@@ -19,7 +19,8 @@ Eigen::Quaterniond about_z(double angle) {
     return Eigen::Quaterniond(Eigen::AngleAxisd(angle, Vec3::UnitZ()));
 }
 
-NodeChannel channel_of(Index node, const Vec3& translation, Keys<Eigen::Quaterniond> rotation) {
+NodeChannel
+channel_of(Index node, const Vec3& translation, KeyFrames<Eigen::Quaterniond> rotation) {
     return {.node = node,
             .translation = {{0.0}, {translation}},
             .rotation = std::move(rotation),
@@ -237,7 +238,7 @@ TEST(Rig, MorphTargetsBlendBeforeBones) {
 
 TEST(Rig, KeysAreConstantOutsideAndTurnTheShorterWayAtConstantSpeed) {
     const Eigen::Quaterniond end = about_z(1.0);
-    const Keys<Eigen::Quaterniond> keys{
+    const KeyFrames<Eigen::Quaterniond> keys{
         {1.0, 3.0}, {about_z(0.0), Eigen::Quaterniond(-end.coeffs())}}; // the same rotation
 
     for (const auto& [t, angle] : std::vector<std::pair<double, double>>{

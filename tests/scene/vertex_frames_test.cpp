@@ -1,4 +1,3 @@
-#include "scene/playback.h"
 #include "scene/vertex_frames.h"
 
 #include <gtest/gtest.h>

@@ -1,12 +1,69 @@
-#include "base/error.h"
 #include "scene/format_checks.h"
+
+#include "base/error.h"
 #include "scene/text_scan.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 namespace weft {
+namespace {
+
+std::string lower_extension(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+std::string
+check_format(std::ifstream& stream, const std::string& extension, const std::string& name) {
+    const bool is_checked = extension == ".obj" || extension == ".ply" || extension == ".stl" ||
+                            extension == ".off" || extension == ".glb";
+    if (!is_checked) {
+        return "";
+    }
+    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    if (extension == ".obj") {
+        return check_obj(bytes, name);
+    }
+    if (extension == ".ply") {
+        check_ply(bytes, name);
+    } else if (extension == ".stl") {
+        check_stl(bytes, name);
+    } else if (extension == ".off") {
+        check_off(bytes, name);
+    } else {
+        check_glb(bytes, name);
+    }
+    return "";
+}
+
+} // namespace
+
+std::string check_mesh_file(const std::filesystem::path& file, const std::string& name) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(file, error);
+    if (!std::filesystem::exists(status)) {
+        fail_input("{}: no such file", name);
+    }
+    if (std::filesystem::is_directory(status)) {
+        fail_input("{}: is a folder, not a mesh file", name);
+    }
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) {
+        fail_input("{}: cannot be opened for reading", name);
+    }
+    if (stream.peek() == std::ifstream::traits_type::eof()) {
+        fail_input("{}: is empty", name);
+    }
+    return check_format(stream, lower_extension(file), name);
+}
 
 namespace {
 
@@ -168,6 +225,97 @@ std::string check_obj(std::string_view bytes, const std::string& name) {
     const bool has_continued_lines = bytes.find("\\\n") != std::string_view::npos ||
                                      bytes.find("\\\r") != std::string_view::npos;
     return has_continued_lines ? "" : ObjCheck(bytes, name).run(); // rare; left to assimp
+}
+
+namespace {
+
+/// Lines with words on them; comments and empty ones are skipped.
+class WordLines {
+public:
+    WordLines(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
+
+    bool next(std::vector<std::string_view>& words) {
+        std::string_view line;
+        while (lines_.next(line)) {
+            split_words(line, words);
+            if (!words.empty()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    template <typename... Args>
+    [[noreturn]] void fail(fmt::format_string<Args...> format, Args&&... args) const {
+        fail_input("{}:{}: {}", name_, lines_.number(),
+                   fmt::format(format, std::forward<Args>(args)...));
+    }
+
+private:
+    LineScanner lines_;
+    const std::string& name_;
+};
+
+struct Counts {
+    long long vertices, faces;
+};
+
+Counts read_counts(WordLines& lines, std::vector<std::string_view>& words) {
+    const bool has_header = lines.next(words) && words[0].find("OFF") != std::string_view::npos;
+    if (!has_header) {
+        lines.fail("does not begin with OFF");
+    }
+    words.erase(words.begin());
+    if (words.empty() && !lines.next(words)) {
+        lines.fail("truncated: the counts of vertices and faces are missing");
+    }
+    const auto vertices = to_integer(words[0]);
+    const auto faces = words.size() > 1 ? to_integer(words[1]) : std::nullopt;
+    if (!vertices || !faces || *vertices < 0 || *faces < 0) {
+        lines.fail("the counts of vertices and faces must be two whole numbers");
+    }
+    return {*vertices, *faces};
+}
+
+void check_face(const WordLines& lines,
+                const std::vector<std::string_view>& words,
+                long long face,
+                long long vertices) {
+    const auto corners = to_integer(words[0]);
+    if (!corners || *corners < 1 || words.size() < static_cast<std::size_t>(*corners) + 1) {
+        lines.fail("face {} does not have the corners that it announces: damaged or truncated file",
+                   face);
+    }
+    for (std::size_t k = 1; k <= static_cast<std::size_t>(*corners); ++k) {
+        const auto index = to_integer(words[k]);
+        if (!index || *index < 0 || *index >= vertices) {
+            lines.fail("face {} names vertex {}: allowed are 0 to {}", face, words[k],
+                       vertices - 1);
+        }
+    }
+}
+
+} // namespace
+
+void check_off(std::string_view bytes, const std::string& name) {
+    WordLines lines(bytes, name);
+    std::vector<std::string_view> words;
+    const Counts counts = read_counts(lines, words);
+    for (long long v = 0; v < counts.vertices; ++v) {
+        if (!lines.next(words)) {
+            lines.fail("truncated: {} vertices announced, {} found", counts.vertices, v);
+        }
+        if (words.size() < 3 || !to_number(words[0]) || !to_number(words[1]) ||
+            !to_number(words[2])) {
+            lines.fail("vertex {} does not have three coordinates: damaged or truncated file", v);
+        }
+    }
+    for (long long f = 0; f < counts.faces; ++f) {
+        if (!lines.next(words)) {
+            lines.fail("truncated: {} faces announced, {} found", counts.faces, f);
+        }
+        check_face(lines, words, f, counts.vertices);
+    }
 }
 
 } // namespace weft

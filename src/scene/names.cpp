@@ -1,4 +1,4 @@
-#include "scene/object_name.h"
+#include "scene/names.h"
 
 #include <algorithm>
 #include <cctype>
