@@ -7,13 +7,16 @@
 #include "base/stopwatch.h"
 #include "frames/run_folder.h"
 #include "frames/status.h"
+#include "scene/names.h"
 #include "scene/scene_reader.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>
+#include <span>
 
 namespace weft {
 
@@ -110,6 +113,11 @@ std::vector<int> frames_to_draw(const RenderOptions& options, const CachedRun& r
     return frames;
 }
 
+/// "a, b or c".
+std::string one_of(std::span<const std::string_view> names) {
+    return fmt::format("{} or {}", fmt::join(names.first(names.size() - 1), ", "), names.back());
+}
+
 ExitCode render_run(const RenderOptions& options) {
     open_log(options.quiet ? Verbosity::Quiet : Verbosity::Normal);
     if (options.frames_given && options.out.empty()) {
@@ -159,9 +167,8 @@ void add_render_command(CLI::App& app, ExitCode& code) {
             },
             "frames to draw: A-B, every Nth as A-BxN, or A alone; all when left out")
         ->type_name("A-B");
-    verb->add_option("--map", options->map, "seed, coolwarm, viridis, turbo or cividis");
-    verb->add_option("--quantity", options->quantity,
-                     "stretch, strain_weft, strain_warp, shear, stress, curvature or speed");
+    verb->add_option("--map", options->map, one_of(k_map_names));
+    verb->add_option("--quantity", options->quantity, one_of(k_quantity_names));
     verb->add_option("--range", options->range, "colours from LOW to HIGH")
         ->expected(2)
         ->type_name("LOW HIGH");

@@ -2,6 +2,7 @@
 
 #include "base/eigen.h"
 #include "scene/object_kind.h"
+#include "scene/quantities.h"
 
 #include <array>
 #include <span>
@@ -10,37 +11,6 @@
 #include <vector>
 
 namespace weft {
-
-/// What can be shown as colour: name in the scene file, words and unit for the legend, and the
-/// range used when the scene gives none (stretch takes the fabric's working range instead).
-struct Quantity {
-    std::string_view name;
-    std::string_view title;
-    std::string_view unit;
-    double low, high;
-    double neutral; ///< where a diverging map has its middle
-};
-
-inline constexpr std::array<Quantity, 8> k_quantities{{
-    {"stretch", "principal stretch", "1", 0.9, 1.2, 1.0},
-    {"strain_weft", "strain along weft", "%", -10.0, 10.0, 0.0},
-    {"strain_warp", "strain along warp", "%", -10.0, 10.0, 0.0},
-    {"shear", "shear angle", "deg", -20.0, 20.0, 0.0},
-    {"stress", "largest tension", "N/m", 0.0, 100.0, 0.0},
-    {"curvature", "mean curvature", "1/m", 0.0, 100.0, 0.0},
-    {"speed", "speed", "m/s", 0.0, 2.0, 0.0},
-    {"level", "refinement level", "1", 0.0, 4.0, 0.0},
-}};
-
-/// Index into k_quantities, or -1.
-constexpr int find_quantity(std::string_view name) {
-    for (std::size_t i = 0; i < k_quantities.size(); ++i) {
-        if (k_quantities[i].name == name) {
-            return static_cast<int>(i);
-        }
-    }
-    return -1;
-}
 
 /// Kinds that have values to be shown as colour.
 constexpr bool has_quantities(ObjectKind kind) {
@@ -57,8 +27,8 @@ struct FrameObject {
     /// Far points of all places that an obstacle takes during the run when it deforms; else empty
     std::vector<Vec3f> reach;
     std::vector<Vec2f> material_positions; ///< #V, u, m; of cloth only
-    /// values[q] is #V values of k_quantities[q], smoothed to the vertices; empty where there are
-    /// none: of obstacles and rigid bodies, of solids all but stretch and speed
+    /// values[q] is #V values of k_quantities[q], smoothed to the vertices. Obstacles and rigid
+    /// bodies have none (empty), solids have stretch and speed alone.
     std::array<std::vector<float>, k_quantities.size()> values;
 };
 

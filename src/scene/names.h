@@ -1,5 +1,7 @@
 #pragma once
 
+#include "scene/quantities.h"
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -7,10 +9,7 @@
 
 namespace weft {
 
-/// Words that the scene file knows and that rooms to the right give their meaning
-/// (frames/frame.h: k_quantities; render: colour maps). Tests hold both sides together.
-inline constexpr std::array<std::string_view, 8> k_quantity_names{
-    "stretch", "strain_weft", "strain_warp", "shear", "stress", "curvature", "speed", "level"};
+/// Names of the colour maps (render/colour_map.h); a test holds both sides together.
 inline constexpr std::array<std::string_view, 5> k_map_names{"seed", "coolwarm", "viridis", "turbo",
                                                              "cividis"};
 

@@ -2,7 +2,9 @@
 #include "base/atomic_file.h"
 #include "frames/cache.h"
 #include "frames/csv.h"
+#include "scene/names.h"
 #include "support/golden.h"
+#include "support/paths.h"
 #include "support/picture_frames.h"
 #include "support/temp_folder.h"
 #include "support/text_file.h"
@@ -10,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <span>
 
 namespace weft {
 namespace {
@@ -53,6 +56,21 @@ int render(std::vector<std::string> arguments) {
         argv.push_back(argument.c_str());
     }
     return run_command_line(static_cast<int>(argv.size()), argv.data());
+}
+
+TEST(Render, HelpAndDocumentationNameEveryQuantityAndColourMap) {
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(render({"--help"}), 0);
+    const std::string help = testing::internal::GetCapturedStdout();
+    const std::string page = read_file(test::source_path("docs/scene.md"));
+
+    for (const auto& names : {std::span<const std::string_view>(k_quantity_names),
+                              std::span<const std::string_view>(k_map_names)}) {
+        for (const std::string_view name : names) {
+            EXPECT_NE(help.find(name), std::string::npos) << name;
+            EXPECT_NE(page.find(name), std::string::npos) << name;
+        }
+    }
 }
 
 TEST(Render, DrawsEveryFrameOfARunWithItsTable) {
