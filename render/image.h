@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace weft {
@@ -25,5 +26,9 @@ private:
                     static_cast<std::size_t>(x));
     }
 };
+
+/// The picture as the bytes of a PNG file (stb_image_write, compressed by libdeflate). Equal
+/// pictures give equal bytes. Throws Error (Disk) when memory runs out.
+std::string encode_png(const Image& image);
 
 } // namespace weft

@@ -48,4 +48,18 @@ LegendLayout lay_out_legend(const LegendContent& content, int width, int height)
 
 void draw_legend(Image& image, const LegendContent& content);
 
+/// Round numbers along a scale.
+struct Ticks {
+    std::vector<double> values; ///< ascending, within [low, high]
+    int decimals = 0;           ///< digits after the point that tell them apart
+};
+
+/// Multiples of 1, 2 or 5 times a power of ten in [low, high], at most `most` of them (>= 2);
+/// low < high.
+Ticks round_ticks(double low, double high, int most);
+
+/// The number with so many digits after the point, without "-0"; with an exponent from a million
+/// on and where six decimals would not do.
+std::string format_number(double value, int decimals);
+
 } // namespace weft

@@ -1,12 +1,9 @@
 #include "render/painter.h"
 
 #include "base/parallel.h"
-#include "render/light.h"
-#include "render/mesh_buffer.h"
+#include "render/gl_objects.h"
 #include "render/osmesa_context.h"
-#include "render/program.h"
 #include "render/shaders.h"
-#include "render/targets.h"
 
 #include <algorithm>
 #include <cassert>
@@ -18,6 +15,9 @@ namespace weft {
 
 namespace {
 
+constexpr double k_penumbra = 0.0100; // radius of the soft edge, in half diagonals of the subject:
+                                      // larger is softer, and needs more taps than 16
+constexpr double k_light_margin = 1.05;
 constexpr int k_lookup_size = 1024;  // colours of the map; fewer: steps show
 constexpr int k_shadow_size = 1024;  // pixels a side; penumbra / texel of 4 to 5 suits 16 taps
 constexpr double k_line_width = 0.9; // of mesh lines, pixels at 720 lines
@@ -25,6 +25,48 @@ constexpr int k_most_taps = 18;
 const Colour k_clay{0.37F, 0.315F, 0.275F};
 const Colour k_backdrop_near{0.325F, 0.335F, 0.345F};
 const Colour k_backdrop_far{0.030F, 0.040F, 0.055F};
+
+/// The sun-like key light of the studio and the box that its shadow map covers.
+struct KeyLight {
+    Vec3 direction;       ///< towards the light, unit
+    Vec3 counter;         ///< towards a weak light from the other side, unit
+    Vec3 right, up;       ///< axes of the shadow map, unit
+    double extent = 1.0;  ///< m, a side of the map
+    double depth = 1.0;   ///< m, what light depth 0..1 spans
+    double kernel = 0.01; ///< radius of the penumbra in units of the map
+    Mat4f to_clip;        ///< world to the clip space of the shadow map
+    Mat4f to_map;         ///< world to [0, 1]^3: texture place and depth
+};
+
+/// A key light from above the camera's left shoulder, fitted to the box.
+KeyLight place_key_light(const Camera& camera, const Box3& subject) {
+    const Vec3 centre = subject.isEmpty() ? Vec3::Zero().eval() : subject.center();
+    const double radius = std::max(subject.isEmpty() ? 0.0 : 0.5 * subject.diagonal().norm(), 1e-4);
+    const Vec3 side = camera.right;
+    Vec3 front = side.cross(Vec3::UnitY()); // level, towards the camera
+    front.normalize();
+
+    KeyLight light;
+    light.direction = (-0.60 * side + 0.88 * Vec3::UnitY() + 0.72 * front).normalized();
+    light.counter = (0.85 * side + 0.25 * Vec3::UnitY() + 0.30 * front).normalized();
+    light.right = Vec3::UnitY().cross(light.direction).normalized();
+    light.up = light.direction.cross(light.right);
+    light.extent = 2.0 * k_light_margin * radius;
+    light.depth = 2.0 * light.extent;
+    light.kernel = k_penumbra * radius / light.extent * 2.0;
+
+    Eigen::Matrix4d world = Eigen::Matrix4d::Identity();
+    world.block<1, 3>(0, 0) = light.right.transpose() * (2.0 / light.extent);
+    world.block<1, 3>(1, 0) = light.up.transpose() * (2.0 / light.extent);
+    world.block<1, 3>(2, 0) = -light.direction.transpose() * (2.0 / light.depth);
+    world.block<3, 1>(0, 3) = -world.block<3, 3>(0, 0) * centre;
+    Eigen::Matrix4d half = Eigen::Matrix4d::Identity() * 0.5;
+    half(3, 3) = 1.0;
+    half.block<3, 1>(0, 3) = Vec3::Constant(0.5);
+    light.to_clip = world.cast<float>();
+    light.to_map = (half * world).cast<float>();
+    return light;
+}
 
 /// Points spread evenly over the unit disc (Vogel's spiral), x and y in turn. A multiple of
 /// supersample^2, so that each pixel of a final pixel takes as many.
@@ -92,7 +134,7 @@ struct Painter::Buffers {
     }
 
     void draw_shadow_map(const KeyLight& light) const;
-    void light_up(const PainterParams& p, const Stage& stage, const KeyLight& light) const;
+    void light_up(const PainterParams& p, const DrawnScene& scene, const KeyLight& light) const;
     void set_light(const Program& program, const PainterParams& p, const KeyLight& light) const;
     Image resolve_picture(const PainterParams& p) const;
     void read_values(const PainterParams& p, ValuePicture& picture) const;
@@ -131,7 +173,7 @@ void Painter::Buffers::set_light(const Program& program,
 }
 
 void Painter::Buffers::light_up(const PainterParams& p,
-                                const Stage& stage,
+                                const DrawnScene& scene,
                                 const KeyLight& light) const {
     gl.BindFramebuffer(GL_FRAMEBUFFER, targets.samples);
     gl.Viewport(0, 0, p.size[0] * p.supersample, p.size[1] * p.supersample);
@@ -156,8 +198,8 @@ void Painter::Buffers::light_up(const PainterParams& p,
     clay.draw(gl);
 
     set_light(floor_light, p, light);
-    floor_light.set("centre", stage.floor_centre.cast<double>().eval());
-    floor_light.set("radius", static_cast<double>(stage.floor_radius));
+    floor_light.set("centre", scene.floor_centre.cast<double>().eval());
+    floor_light.set("radius", static_cast<double>(scene.floor_radius));
     floor.draw(gl);
 }
 
@@ -238,16 +280,16 @@ Painter::~Painter() {
     b.gl.DeleteVertexArrays(1, &b.screen);
 }
 
-Image Painter::paint(const Stage& stage, ValuePicture* values) {
+Image Painter::paint(const DrawnScene& scene, ValuePicture* values) {
     const CurrentContext current(buffers_->context);
     const Buffers& b = *buffers_;
-    const KeyLight light = place_key_light(params_.camera, stage.subject);
-    buffers_->cloth.upload(b.gl, stage.cloth, true);
-    buffers_->clay.upload(b.gl, stage.clay, false);
-    buffers_->floor.upload(b.gl, stage.floor, false);
+    const KeyLight light = place_key_light(params_.camera, scene.subject);
+    buffers_->cloth.upload(b.gl, scene.cloth, true);
+    buffers_->clay.upload(b.gl, scene.clay, false);
+    buffers_->floor.upload(b.gl, scene.floor, false);
 
     b.draw_shadow_map(light);
-    b.light_up(params_, stage, light);
+    b.light_up(params_, scene, light);
     Image image = b.resolve_picture(params_);
     if (values != nullptr) {
         b.read_values(params_, *values);

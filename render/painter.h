@@ -2,8 +2,8 @@
 
 #include "render/camera.h"
 #include "render/colour_map.h"
+#include "render/drawn_scene.h"
 #include "render/image.h"
-#include "render/stage.h"
 
 #include <array>
 #include <memory>
@@ -26,7 +26,7 @@ struct PainterParams {
     Camera camera;
 };
 
-/// Turns a stage into light and light into pixels: the OpenGL context, its programs and buffers,
+/// Turns a scene into light and light into pixels: the OpenGL context, its programs and buffers,
 /// and the order of the passes.
 class Painter {
 public:
@@ -37,7 +37,7 @@ public:
     Painter& operator=(const Painter&) = delete;
 
     /// The picture without legend. `values`, when not null, is filled too.
-    Image paint(const Stage& stage, ValuePicture* values);
+    Image paint(const DrawnScene& scene, ValuePicture* values);
 
 private:
     struct Buffers;

@@ -23,14 +23,14 @@ layout(location = 3) in float value;
 uniform mat4 to_clip;
 out vec3 world_position;
 out vec3 world_normal;
-out vec4 surroundings;
+out vec4 ambient_light;
 out vec3 corner;                        // barycentric; drawn without indices
 centroid out float shown_value;
 void main() {
     gl_Position = to_clip * vec4(position, 1.0);
     world_position = position;
     world_normal = normal;
-    surroundings = ambient;
+    ambient_light = ambient;
     int k = gl_VertexID % 3;
     corner = vec3(k == 0, k == 1, k == 2);
     shown_value = value;
@@ -40,7 +40,7 @@ void main() {
 
 namespace {
 
-/// What the lit materials share: key light with a soft shadow, surroundings, a weak counter light.
+/// What the lit materials share: key light with a soft shadow, ambient light, a weak counter light.
 ///
 /// The shadow kernel is a disc of `all_taps` points; each of the supersample^2 pixels that make
 /// one final pixel takes its own share of them, so that the final pixel sees the whole disc.
@@ -48,7 +48,7 @@ namespace {
 const char* const k_lighting = R"(
 in vec3 world_position;
 in vec3 world_normal;
-in vec4 surroundings;
+in vec4 ambient_light;
 uniform vec3 eye;
 uniform vec3 key_direction;             // towards the light
 uniform vec3 light_right;
@@ -125,7 +125,7 @@ float mesh_line() {
 void main() {
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 n = normalize(world_normal) * side;
-    vec2 open = side > 0.0 ? surroundings.xy : surroundings.zw;
+    vec2 open = side > 0.0 ? ambient_light.xy : ambient_light.zw;
     vec3 to_eye = normalize(eye - world_position);
 
     float key = max(dot(n, key_direction), 0.0);
@@ -151,7 +151,7 @@ out vec4 colour;
 void main() {
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 n = normalize(world_normal) * side;
-    vec2 open = side > 0.0 ? surroundings.xy : surroundings.zw;
+    vec2 open = side > 0.0 ? ambient_light.xy : ambient_light.zw;
     vec3 to_eye = normalize(eye - world_position);
     float key = max(dot(n, key_direction), 0.0);
     float seen = key_visibility(n);
@@ -173,7 +173,7 @@ void main() {
     vec3 n = vec3(0.0, 1.0, 0.0);
     float key = k_key * key_direction.y;
     float full = key + k_sky;
-    float light = key * key_visibility(n) + k_sky * surroundings.x;
+    float light = key * key_visibility(n) + k_sky * ambient_light.x;
     float fade = 1.0 - smoothstep(0.55, 1.0, length(world_position.xz - centre.xz) / radius);
     colour = vec4(0.0, 0.0, 0.0, clamp(1.0 - light / full, 0.0, 1.0) * fade);
 }

@@ -8,8 +8,8 @@
 
 namespace weft {
 
-/// Light that a vertex receives from the surroundings on each side, as shares of an unhindered
-/// hemisphere: from above (sky) and from below (floor).
+/// Ambient light that a vertex receives on each side, as fractions of an unhindered hemisphere:
+/// from above (sky) and from below (floor).
 struct Ambient {
     float front_sky = 0.5F, front_floor = 0.5F;
     float back_sky = 0.5F, back_floor = 0.5F;
@@ -20,7 +20,7 @@ struct Surface {
     std::vector<Vec3f> positions; ///< m
     std::vector<Vec3f> normals;   ///< unit, on the side from which triangles turn left
     std::vector<float> values;    ///< of the shown quantity; zero where there is none
-    std::vector<Ambient> ambient; ///< full light until shade_surroundings
+    std::vector<Ambient> ambient; ///< full light until add_ambient_occlusion
     std::vector<Triangle> triangles;
 };
 

@@ -1,9 +1,9 @@
 #include "render/text.h"
 
 #include "base/error.h"
-#include "render/font_data.h"
 
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,9 +14,29 @@
 #include <stb/stb_truetype.h>
 #pragma GCC diagnostic pop
 
+// WEFT_FONT_FILE is the path that CMake found; the assembler copies the file in as it stands.
+asm(".section .rodata\n"
+    ".balign 16\n"
+    "weft_font_begin:\n"
+    ".incbin \"" WEFT_FONT_FILE "\"\n"
+    "weft_font_end:\n"
+    ".byte 0\n"
+    ".text\n");
+
+extern "C" {
+extern const unsigned char weft_font_begin[]; // NOLINT: named by the assembler
+extern const unsigned char weft_font_end[];   // NOLINT
+}
+
 namespace weft {
 
 namespace {
+
+/// DejaVu Sans as a TrueType file, taken into the program when it is built (Bitstream Vera licence
+/// with public domain additions), so that the program needs no font where it runs.
+std::span<const unsigned char> font_data() {
+    return {weft_font_begin, weft_font_end};
+}
 
 constexpr char32_t k_replacement = 0xFFFD;
 

@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "app/inspect_mesh.h"
+#include "app/inspect_run.h"
 #include "app/inspect_scene.h"
 
 #include <CLI/CLI.hpp>

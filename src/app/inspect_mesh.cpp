@@ -1,6 +1,6 @@
 #include "app/inspect_mesh.h"
 
-#include "app/inspect_animation.h"
+#include "app/summary.h"
 #include "base/error.h"
 #include "geometry/mesh_measure.h"
 #include "geometry/self_crossings.h"
@@ -158,6 +158,37 @@ void describe_defects(const MeshAssembly& mesh, SummaryLines& sheet) {
 /// A refusal without the file's name, which stands above it.
 std::string without_name(const std::string& refusal, const std::string& name) {
     return refusal.starts_with(name + ": ") ? refusal.substr(name.size() + 2) : refusal;
+}
+
+std::string name_of(const Animation& animation) {
+    return animation.name.empty() ? "(no name)" : fmt::format("\"{}\"", animation.name);
+}
+
+/// What moves in a mesh file, a row an animation: name, duration, nodes, bones, morph targets.
+///
+/// @param chosen  objects of the file that are looked at
+void describe_animations(const Rig& rig, std::span<const std::size_t> chosen, SummaryLines& sheet) {
+    std::vector<Index> bones;
+    std::size_t targets = 0;
+    for (const std::size_t i : chosen) {
+        const RigPart& part = rig.parts[i];
+        for (std::size_t b = 0; b + 1 < part.bones.size(); ++b) { // the last stands for none
+            bones.push_back(part.bones[b].node);
+        }
+        targets += part.targets.size();
+    }
+    std::sort(bones.begin(), bones.end());
+    bones.erase(std::unique(bones.begin(), bones.end()), bones.end());
+    const char* label = "animations";
+    for (const Animation& animation : rig.animations) {
+        sheet.row(label, "{}: {:.4g} s, moves {}; {}, {}", name_of(animation), animation.duration,
+                  plural(animation.channels.size(), "node"), plural(bones.size(), "bone"),
+                  plural(targets, "morph target"));
+        label = "";
+    }
+    for (const std::string& warning : rig.warnings) {
+        sheet.row("warning", "{}", warning);
+    }
 }
 
 InspectReport describe_read_file(const MeshFile& file,

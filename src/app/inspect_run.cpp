@@ -1,5 +1,6 @@
-#include "app/inspect_scene.h"
-#include "app/summary_lines.h"
+#include "app/inspect_run.h"
+
+#include "app/summary.h"
 #include "base/error.h"
 #include "frames/csv.h"
 #include "frames/run_folder.h"

@@ -1,15 +1,18 @@
 #pragma once
 
-#include "app/inspect_start.h"
+#include "app/inspect_mesh.h"
+#include "scene/scene.h"
 
 namespace weft {
 
-/// What `weft inspect` says about a scene file: time, surroundings, each object with the mesh file
+/// What is wanted to be known of a scene's start.
+struct StartInspection {
+    std::filesystem::path ply; ///< where the crossing triangles go; empty: nowhere
+    bool all_pairs = false;    ///< list every crossing pair, not the first few of each two objects
+};
+
+/// What `weft inspect` says about a scene file: time, each object with the mesh file
 /// that it reads, held to what the object needs, and what crosses at the start.
 InspectReport describe_scene(const std::filesystem::path& file, const StartInspection& wanted = {});
-
-/// What `weft inspect` says about the folder of a run: how far it came, and its statistics at the
-/// last frame with the extremes over all frames.
-InspectReport describe_run(const std::filesystem::path& folder);
 
 } // namespace weft

@@ -6,6 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <charconv>
+
 namespace weft {
 
 void add_common_options(CLI::App& app, CommonOptions& options) {
@@ -71,6 +73,23 @@ void add_input_options(CLI::App& app, InputOptions& options) {
 
 namespace {
 
+[[noreturn]] void refuse_range(std::string_view text) {
+    throw Error(
+        ExitCode::CommandLine,
+        fmt::format("--frames {}: must be A-B, A-BxN or A, with 1 <= A <= B and N >= 1", text));
+}
+
+/// The number at the front of `text`, which is cut off.
+int take_number(std::string_view& text, std::string_view whole) {
+    int number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || number < 1) {
+        refuse_range(whole);
+    }
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return number;
+}
+
 [[noreturn]] void refuse(const std::string& message) {
     throw Error(ExitCode::CommandLine, message);
 }
@@ -111,6 +130,34 @@ Scene read_inputs(const InputOptions& inputs, const CommonOptions& options) {
 }
 
 } // namespace
+
+FrameRange parse_frame_range(std::string_view text) {
+    std::string_view rest = text;
+    FrameRange range;
+    range.first = take_number(rest, text);
+    range.last = range.first;
+    if (rest.starts_with('-')) {
+        rest.remove_prefix(1);
+        range.last = take_number(rest, text);
+    }
+    if (rest.starts_with('x')) {
+        rest.remove_prefix(1);
+        range.step = take_number(rest, text);
+    }
+    if (!rest.empty() || range.last < range.first) {
+        refuse_range(text);
+    }
+    return range;
+}
+
+void check_frame_range(const FrameRange& range, int frames) {
+    if (range.first > frames || range.last > frames) {
+        throw Error(
+            ExitCode::CommandLine,
+            fmt::format("--frames {}-{}: must end at {} or before, the last frame of the scene",
+                        range.first, range.last, frames));
+    }
+}
 
 Scene scene_of_command_line(const InputOptions& inputs, const CommonOptions& options) {
     Scene scene = read_inputs(inputs, options);

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "app/frame_range.h"
 #include "base/log.h"
 #include "frames/acceptance.h"
 #include "scene/scene.h"
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CLI {
@@ -14,6 +14,24 @@ class App;
 }
 
 namespace weft {
+
+/// The frames that a command writes or draws: first, first + step, ... up to last.
+struct FrameRange {
+    int first = 1;
+    int last = 0; ///< 0: the last there is
+    int step = 1;
+
+    bool contains(int frame) const {
+        return frame >= first && (last == 0 || frame <= last) && (frame - first) % step == 0;
+    }
+};
+
+/// Reads `A-B`, `A-BxN` or `A` (that frame alone); 1 <= A <= B, N >= 1.
+/// Throws Error (CommandLine) in one line when the text is none of these.
+FrameRange parse_frame_range(std::string_view text);
+
+/// Throws Error (CommandLine) when the range asks for frames past `frames`, the last of the run.
+void check_frame_range(const FrameRange& range, int frames);
 
 /// What every verb that makes or draws a run understands (docs/running.md).
 struct CommonOptions {

@@ -2,14 +2,25 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "frames/csv.h"
 #include "frames/predicted_bounds.h"
-#include "render/png.h"
+#include "render/image.h"
+
+#include <fmt/ranges.h>
 
 #include <memory>
 
 namespace weft {
 
 namespace {
+
+CsvFile text_of(const std::filesystem::path& file, const std::map<int, std::string>& rows) {
+    CsvFile table(file, images_header());
+    for (const auto& [frame, row] : rows) {
+        table.add(row);
+    }
+    return table;
+}
 
 /// Share of its diagonal by which motion may leave what was foreseen: what the camera's margin
 /// takes. Larger: cut off at the rim of the picture; smaller: drawn twice for little.
@@ -30,6 +41,44 @@ bool was_foreseen(const Extent& motion, const Extent& foreseen) {
 }
 
 } // namespace
+
+std::string_view images_header() {
+    return "frame,file,covered_share,above_share,below_share,mean_red,mean_green,mean_blue";
+}
+
+void PictureTable::keep_through(int last) {
+    CsvTable old;
+    try {
+        old = parse_csv(read_file(file_), file_.string());
+    } catch (const Error&) {
+        return;
+    }
+    if (fmt::format("{}", fmt::join(old.columns, ",")) != images_header()) {
+        return;
+    }
+    for (std::size_t row = 0; row < old.rows.size(); ++row) {
+        const int frame = static_cast<int>(old.number(row, 0));
+        if (frame <= last && std::filesystem::exists(file_.parent_path() / old.rows[row][1])) {
+            rows_[frame] = fmt::format("{}", fmt::join(old.rows[row], ","));
+        }
+    }
+}
+
+void PictureTable::put(int frame, const std::filesystem::path& picture, const PictureStats& stats) {
+    const auto shown = std::filesystem::proximate(picture, file_.parent_path());
+    rows_[frame] = fmt::format("{},{},{},{},{},{},{},{}", frame, shown.generic_string(),
+                               csv_number(stats.covered_share), csv_number(stats.above_share),
+                               csv_number(stats.below_share), csv_number(stats.mean_colour[0]),
+                               csv_number(stats.mean_colour[1]), csv_number(stats.mean_colour[2]));
+}
+
+void PictureTable::write() const {
+    text_of(file_, rows_).write();
+}
+
+void PictureTable::write_if_small() const {
+    text_of(file_, rows_).write_if_small();
+}
 
 Vec2 colour_range(const Scene& scene) {
     const int index = find_quantity(scene.render.quantity);
@@ -108,6 +157,45 @@ bool draw_run(const CachedRun& run,
     packer.finish();
     table.write();
     return true;
+}
+
+LivePictures::LivePictures(const RunPaths& paths, const Scene& scene)
+    : paths_(paths), scene_(scene), table_(paths.images()) {}
+
+void LivePictures::keep_through(int last) {
+    kept_ = last;
+    table_.keep_through(last);
+    if (std::filesystem::exists(paths_.images())) {
+        table_.write(); // rows of pictures that are not taken over must not be believed again
+    }
+}
+
+void LivePictures::draw(const Frame& frame) {
+    if (!scene_.render.enabled || (frame.number <= kept_ && table_.has(frame.number))) {
+        return;
+    }
+    if (!writer_) {
+        const CachedRun run(paths_.folder, scene_);
+        const std::vector<int> cached = run.frames();
+        const bool is_first = cached.empty() || cached.front() >= frame.number;
+        const Extent motion = foresee_motion(is_first ? frame : run.read(cached.front()), scene_);
+        writer_.emplace(scene_, motion, paths_.frames_dir());
+    }
+    PictureStats stats;
+    auto image = std::make_shared<Image>(writer_->draw(frame, stats));
+    packer_.push([this, image, stats, number = frame.number] {
+        writer_->write(number, *image);
+        table_.put(number, writer_->file(number), stats);
+        table_.write_if_small();
+    });
+}
+
+void LivePictures::release() {
+    packer_.finish();
+    writer_.reset();
+    if (scene_.render.enabled) {
+        table_.write();
+    }
 }
 
 } // namespace weft

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/frame_range.h"
-#include "app/live_pictures.h"
+#include "app/options.h"
 #include "app/ordered_worker.h"
+#include "app/pictures.h"
 #include "app/progress.h"
 #include "collide/crossings.h"
 #include "frames/capture.h"

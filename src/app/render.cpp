@@ -1,5 +1,5 @@
 #include "app/commands.h"
-#include "app/frame_range.h"
+#include "app/options.h"
 #include "app/pictures.h"
 #include "app/signals.h"
 #include "base/log.h"

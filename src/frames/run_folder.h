@@ -5,7 +5,7 @@
 
 namespace weft {
 
-/// Where each file of a run stands: docs/output.md.
+/// Where each file of a run stands; docs/output.md says what is in them.
 struct RunPaths {
     std::filesystem::path folder;
 

@@ -1,3 +1,4 @@
+#include "app/inspect_run.h"
 #include "app/inspect_scene.h"
 #include "frames/run_folder.h"
 #include "frames/status.h"

@@ -1,5 +1,5 @@
 #include "base/error.h"
-#include "render/png.h"
+#include "render/image.h"
 #include "render/renderer.h"
 #include "support/golden.h"
 #include "support/picture_frames.h"

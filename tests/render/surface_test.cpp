@@ -1,5 +1,5 @@
+#include "render/ambient_occlusion.h"
 #include "render/surface.h"
-#include "render/surroundings.h"
 #include "support/picture_frames.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ Ambient light_of_patch(const Surface* above) {
     if (above != nullptr) {
         casters.push_back(above);
     }
-    shade_surroundings({&receiver, 1}, casters, Box3(Vec3(-1, -1, -1), Vec3(1, 1, 1)));
+    add_ambient_occlusion({&receiver, 1}, casters, Box3(Vec3(-1, -1, -1), Vec3(1, 1, 1)));
     return surface.ambient[0];
 }
 

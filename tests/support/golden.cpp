@@ -1,7 +1,7 @@
 #include "support/golden.h"
 
 #include "base/atomic_file.h"
-#include "render/png.h"
+#include "render/image.h"
 #include "support/paths.h"
 
 #include <algorithm>

@@ -3,6 +3,9 @@
 #include "render/camera.h"
 #include "render/colour_map.h"
 #include "render/gl.h"
+#include "render/surface.h"
+
+#include <vector>
 
 namespace weft {
 
@@ -42,6 +45,41 @@ private:
 
     const Gl* gl_;
     GLuint id_;
+};
+
+/// Framebuffers of one picture size. Made once, drawn into for each frame; the context must be
+/// current for every call.
+class Targets {
+public:
+    Targets(const Gl& gl, int width, int height, int supersample, int shadow_size);
+    void release(const Gl& gl);
+
+    /// Samples of light: 4 a pixel, supersample^2 pixels a final pixel; RGB premultiplied, and how
+    /// much of the backdrop is hidden as alpha.
+    GLuint samples = 0, samples_texture = 0, samples_depth = 0;
+    /// Depth seen from the light.
+    GLuint shadow = 0, shadow_texture = 0;
+    /// The picture, 8 bits a channel.
+    GLuint picture = 0, picture_colour = 0;
+    /// Value and cloth flag of each final pixel.
+    GLuint values = 0, values_colour = 0, values_depth = 0;
+};
+
+/// A surface on the OpenGL side. Attributes: 0 position, 1 normal, 2 ambient, 3 value.
+class MeshBuffer {
+public:
+    explicit MeshBuffer(const Gl& gl);
+    void release(const Gl& gl);
+
+    /// Replaces the contents. `expanded`: each triangle gets its own three vertices in order, so
+    /// that a shader can tell corners apart.
+    void upload(const Gl& gl, const Surface& surface, bool expanded);
+    void draw(const Gl& gl) const;
+
+private:
+    GLuint array_ = 0, vertices_ = 0, indices_ = 0;
+    GLsizei count_ = 0;
+    bool expanded_ = false;
 };
 
 } // namespace weft

@@ -1,4 +1,4 @@
-#include "render/png.h"
+#include "render/image.h"
 
 #include "base/error.h"
 

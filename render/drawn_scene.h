@@ -7,8 +7,8 @@ namespace weft {
 
 /// A frame as the renderer draws it: cloth and solids in colours, the rest as clay, and the floor
 /// below them.
-struct Stage {
-    Box3 subject;  ///< what counts for shadow and surroundings
+struct DrawnScene {
+    Box3 subject;  ///< the box that shadow and ambient occlusion cover
     Surface cloth; ///< values of the shown quantity
     Surface clay;  ///< obstacles, rigid bodies, and solids that have no such quantity
     Surface floor; ///< a disc that only shows shadow; empty when the camera is below it
@@ -16,8 +16,8 @@ struct Stage {
     float floor_radius = 1.0F;
 };
 
-/// Builds it. The floor lies under `bounds`, or where a level slab among the obstacles dwarfs the
-/// subject, on top of that slab, which is then not drawn itself.
-Stage build_stage(const Frame& frame, int quantity, const Box3& bounds, const Vec3& eye);
+/// Builds it from a frame. The floor lies under `bounds`, or where a level slab among the obstacles
+/// dwarfs the subject, on top of that slab, which is then not drawn itself.
+DrawnScene build_drawn_scene(const Frame& frame, int quantity, const Box3& bounds, const Vec3& eye);
 
 } // namespace weft

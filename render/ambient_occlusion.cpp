@@ -1,4 +1,4 @@
-#include "render/surroundings.h"
+#include "render/ambient_occlusion.h"
 
 #include "base/parallel.h"
 
@@ -118,60 +118,70 @@ std::vector<Vec3f> upper_directions() {
     return directions;
 }
 
-/// Light on one side of a vertex: cosine-weighted shares of the open directions, normalised so that
-/// a side that faces straight up and sees everything has sky = 1 and one that faces down floor = 1.
-void gather(const std::vector<DepthMap>& maps,
-            const std::vector<Vec3f>& directions,
-            const Vec3f& position,
-            const Vec3f& normal,
-            float lift,
-            float& sky,
-            float& floor) {
-    const Vec3f place = position + lift * normal;
-    sky = 0.0F;
-    floor = 0.0F;
-    for (std::size_t d = 0; d < directions.size(); ++d) {
-        const float cosine = normal.dot(directions[d]);
-        const float sign = cosine > 0.0F ? 1.0F : -1.0F;
-        (sign > 0.0F ? sky : floor) +=
-            std::abs(cosine) * maps[d].openness(maps[d].place(place), sign);
+/// Light on one side of a vertex.
+struct OpenSky {
+    float sky, floor;
+};
+
+/// The scene seen along all directions.
+class DepthMaps {
+public:
+    DepthMaps(std::span<const Surface* const> casters, const Vec3f& centre, float radius)
+        : directions_(upper_directions()), lift_(k_lift * 2.0F * radius / k_pixels) {
+        for (const Vec3f& direction : directions_) {
+            maps_.emplace_back(direction, centre, radius);
+        }
+        parallel_for(
+            maps_.size(),
+            [&](std::size_t d) {
+                for (const Surface* caster : casters) {
+                    maps_[d].draw(*caster);
+                }
+            },
+            1);
     }
-    const float scale = 2.0F / static_cast<float>(directions.size());
-    sky *= scale;
-    floor *= scale;
-}
+
+    /// Sums the open directions weighted by their cosine to the normal, normalised so that a side
+    /// that faces straight up and sees everything has sky = 1 and one that faces down floor = 1.
+    OpenSky open_at(const Vec3f& position, const Vec3f& normal) const {
+        const Vec3f place = position + lift_ * normal;
+        float sky = 0.0F;
+        float floor = 0.0F;
+        for (std::size_t d = 0; d < directions_.size(); ++d) {
+            const float cosine = normal.dot(directions_[d]);
+            const float sign = cosine > 0.0F ? 1.0F : -1.0F;
+            (sign > 0.0F ? sky : floor) +=
+                std::abs(cosine) * maps_[d].openness(maps_[d].place(place), sign);
+        }
+        const float scale = 2.0F / static_cast<float>(directions_.size());
+        return {sky * scale, floor * scale};
+    }
+
+private:
+    std::vector<Vec3f> directions_;
+    float lift_; ///< of a vertex off its own surface, m
+    std::vector<DepthMap> maps_;
+};
 
 } // namespace
 
-void shade_surroundings(std::span<Surface* const> receivers,
-                        std::span<const Surface* const> casters,
-                        const Box3& bounds) {
+void add_ambient_occlusion(std::span<Surface* const> receivers,
+                           std::span<const Surface* const> casters,
+                           const Box3& bounds) {
     if (bounds.isEmpty() || !(bounds.diagonal().norm() > 0.0)) {
         return;
     }
     const Vec3f centre = bounds.center().cast<float>();
     const auto radius = static_cast<float>(0.5 * bounds.diagonal().norm());
-    const std::vector<Vec3f> directions = upper_directions();
-    std::vector<DepthMap> maps;
-    for (const Vec3f& direction : directions) {
-        maps.emplace_back(direction, centre, radius);
-    }
-    parallel_for(
-        maps.size(),
-        [&](std::size_t d) {
-            for (const Surface* caster : casters) {
-                maps[d].draw(*caster);
-            }
-        },
-        1);
-    const float lift = k_lift * 2.0F * radius / k_pixels;
+    const DepthMaps maps(casters, centre, radius);
     for (Surface* receiver : receivers) {
         parallel_for(receiver->positions.size(), [&](std::size_t v) {
             Ambient& light = receiver->ambient[v];
             const Vec3f& x = receiver->positions[v];
             const Vec3f& n = receiver->normals[v];
-            gather(maps, directions, x, n, lift, light.front_sky, light.front_floor);
-            gather(maps, directions, x, Vec3f(-n), lift, light.back_sky, light.back_floor);
+            const OpenSky front = maps.open_at(x, n);
+            const OpenSky back = maps.open_at(x, Vec3f(-n));
+            light = {front.sky, front.floor, back.sky, back.floor};
         });
     }
 }

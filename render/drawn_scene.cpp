@@ -1,6 +1,6 @@
-#include "render/stage.h"
+#include "render/drawn_scene.h"
 
-#include "render/surroundings.h"
+#include "render/ambient_occlusion.h"
 
 #include <cassert>
 #include <cmath>
@@ -50,42 +50,43 @@ Surface disc(const Vec3f& centre, float radius) {
 
 } // namespace
 
-Stage build_stage(const Frame& frame, int quantity, const Box3& bounds, const Vec3& eye) {
+DrawnScene
+build_drawn_scene(const Frame& frame, int quantity, const Box3& bounds, const Vec3& eye) {
     assert(quantity >= 0 && static_cast<std::size_t>(quantity) < k_quantities.size());
-    Stage stage;
-    stage.subject = bounds;
-    const bool is_empty = stage.subject.isEmpty();
-    const double radius = is_empty ? 0.0 : 0.5 * stage.subject.diagonal().norm();
-    double floor_height = is_empty ? 0.0 : stage.subject.min().y() - k_floor_gap * radius;
+    DrawnScene scene;
+    scene.subject = bounds;
+    const bool is_empty = scene.subject.isEmpty();
+    const double radius = is_empty ? 0.0 : 0.5 * scene.subject.diagonal().norm();
+    double floor_height = is_empty ? 0.0 : scene.subject.min().y() - k_floor_gap * radius;
 
     for (const FrameObject& object : frame.objects) {
         const std::vector<float>& values = object.values[static_cast<std::size_t>(quantity)];
         if (object.kind == ObjectKind::Cloth) {
-            append_smooth(stage.cloth, object, values);
+            append_smooth(scene.cloth, object, values);
             continue;
         }
         if (object.kind == ObjectKind::Solid && !values.empty()) {
-            append_creased(stage.cloth, object, values, k_solid_crease_cosine);
+            append_creased(scene.cloth, object, values, k_solid_crease_cosine);
             continue;
         }
         const Box3 box = object_bounds(object);
         if (object.kind == ObjectKind::Obstacle && !is_empty && !box.isEmpty() &&
-            is_level_slab(box, stage.subject)) {
+            is_level_slab(box, scene.subject)) {
             floor_height = box.max().y();
         } else {
-            append_creased(stage.clay, object);
+            append_creased(scene.clay, object);
         }
     }
     if (radius > 0.0 && eye.y() > floor_height) {
-        const Vec3 centre = stage.subject.center();
-        stage.floor_centre = Vec3(centre.x(), floor_height, centre.z()).cast<float>();
-        stage.floor_radius = static_cast<float>(k_floor_reach * radius);
-        stage.floor = disc(stage.floor_centre, stage.floor_radius);
+        const Vec3 centre = scene.subject.center();
+        scene.floor_centre = Vec3(centre.x(), floor_height, centre.z()).cast<float>();
+        scene.floor_radius = static_cast<float>(k_floor_reach * radius);
+        scene.floor = disc(scene.floor_centre, scene.floor_radius);
     }
-    std::array<Surface*, 3> receivers{&stage.cloth, &stage.clay, &stage.floor};
-    std::array<const Surface*, 2> casters{&stage.cloth, &stage.clay};
-    shade_surroundings(receivers, casters, stage.subject);
-    return stage;
+    std::array<Surface*, 3> receivers{&scene.cloth, &scene.clay, &scene.floor};
+    std::array<const Surface*, 2> casters{&scene.cloth, &scene.clay};
+    add_ambient_occlusion(receivers, casters, scene.subject);
+    return scene;
 }
 
 } // namespace weft
