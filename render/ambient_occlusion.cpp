@@ -159,7 +159,7 @@ public:
 
 private:
     std::vector<Vec3f> directions_;
-    float lift_; ///< of a vertex off its own surface, m
+    float lift_; ///< distance that a vertex is lifted off its own surface, m
     std::vector<DepthMap> maps_;
 };
 

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double k_azimuth = 24.0 * std::numbers::pi / 180.0;   // to the right of +z
 constexpr double k_elevation = 13.0 * std::numbers::pi / 180.0; // above the horizon
-constexpr double k_filled = 0.88;     // share of the half height that the subject may take
-constexpr double k_left = 0.88;       // share of the half width to the left ...
+constexpr double k_filled = 0.88;     // fraction of the half height that the subject may take
+constexpr double k_left = 0.88;       // fraction of the half width to the left ...
 constexpr double k_right = 0.70;      // and to the right, where the legend stands
 constexpr double k_least_size = 1e-3; // m; a smaller box is seen as one of a metre
 

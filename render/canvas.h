@@ -19,11 +19,13 @@ struct Rect {
     }
 };
 
-/// Mixes `share` (0..1) of a displayed colour into a pixel; outside of the picture nothing happens.
-void blend(Image& image, int x, int y, const Colour& srgb, double share);
+/// Mixes `opacity` (0..1) of a displayed colour into a pixel; outside of the picture nothing
+/// happens.
+void blend(Image& image, int x, int y, const Colour& srgb, double opacity);
 
 /// Fills a rectangle with corners of this radius, smooth at its rim.
-void fill_rounded(Image& image, const Rect& rect, double radius, const Colour& srgb, double share);
+void fill_rounded(
+    Image& image, const Rect& rect, double radius, const Colour& srgb, double opacity);
 
 /// A ring whose line of this width lies about this radius, smooth at its rims.
 void draw_ring(Image& image,
@@ -36,6 +38,6 @@ void draw_ring(Image& image,
 void fill_triangle(Image& image,
                    const std::array<std::array<double, 2>, 3>& corners,
                    const Colour& srgb,
-                   double share);
+                   double opacity);
 
 } // namespace weft

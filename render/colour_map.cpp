@@ -126,7 +126,7 @@ constexpr Colour k_cyan{0.05F, 0.80F, 0.86F};
 constexpr Colour k_azure{0.12F, 0.50F, 1.0F};
 constexpr Colour k_snow{0.90F, 0.90F, 1.0F};
 
-// Of each map's two outside colours none is near to a colour of the map itself.
+// No outside colour is near to a colour of its own map.
 constexpr std::array<ColourMap, 5> k_maps{{
     {"seed", seed, false, k_azure, k_magenta},
     {"coolwarm", coolwarm, true, k_cyan, k_magenta},

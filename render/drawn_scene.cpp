@@ -10,24 +10,24 @@ namespace weft {
 
 namespace {
 
-constexpr double k_floor_reach = 2.4; // radius of the floor, in half diagonals of the subject
-constexpr double k_floor_gap = 0.002; // floor below the subject, in half diagonals: no flicker
-constexpr double k_slab_share = 0.02; // thickness over diagonal below which a box is a slab
+constexpr double k_floor_reach = 2.4;    // radius of the floor, in half diagonals of the subject
+constexpr double k_floor_gap = 0.002;    // floor below the subject, in half diagonals: no flicker
+constexpr double k_slab_fraction = 0.02; // thickness over diagonal below which a box is a slab
 constexpr int k_rings = 40;
 constexpr int k_spokes = 72;
 
 bool is_level_slab(const Box3& box, const Box3& subject) {
     const double diagonal = box.diagonal().norm();
     return diagonal > k_dwarfs * subject.diagonal().norm() &&
-           box.sizes().y() < k_slab_share * diagonal;
+           box.sizes().y() < k_slab_fraction * diagonal;
 }
 
 /// A disc of rings that widen outwards, so that contact shade is fine where things stand.
 Surface disc(const Vec3f& centre, float radius) {
     Surface surface;
     for (int ring = 0; ring <= k_rings; ++ring) {
-        const double share = static_cast<double>(ring) / k_rings;
-        const double r = radius * share * (0.4 + 0.6 * share);
+        const double fraction = static_cast<double>(ring) / k_rings;
+        const double r = radius * fraction * (0.4 + 0.6 * fraction);
         for (int spoke = 0; spoke < k_spokes; ++spoke) {
             const double angle = 2.0 * std::numbers::pi * spoke / k_spokes;
             surface.positions.push_back(

@@ -33,7 +33,7 @@ constexpr double k_tick = 5.0;
 constexpr int k_most_ticks = 8;
 constexpr double k_least_scale = 10.0 / k_text_size; // text of 10 pixels
 constexpr double k_widest_text = 250.0;
-constexpr double k_widest_share = 0.45; // of the picture's width, for the panel
+constexpr double k_widest_fraction = 0.45; // width of the panel over that of the picture
 constexpr std::size_t k_most_objects = 4;
 
 /// Sets lines below one another and knows how far down and right it has come.
@@ -41,8 +41,8 @@ class Setter {
 public:
     Setter(LegendLayout& layout, double scale) : layout_(layout), scale_(scale) {}
 
-    double x = 0.0, y = 0.0; ///< of the next line
-    double right = 0.0;      ///< of the widest line so far
+    double x = 0.0, y = 0.0; ///< where the next line begins
+    double right = 0.0;      ///< right end of the widest line so far
 
     void text(const std::string& words, double size, bool quiet) {
         text_at(x, y, words, size, quiet);
@@ -193,12 +193,12 @@ LegendLayout lay_out_legend(const LegendContent& content, int width, int height)
     double s = std::max(height / 720.0, k_least_scale);
     LegendLayout layout = lay_out(content, s);
     for (int i = 0; i < 8; ++i) { // rounding makes the size not quite proportional
-        const double share = std::min((height - 2.0 * k_margin * s) / layout.panel.height,
-                                      k_widest_share * width / layout.panel.width);
-        if (share >= 1.0) {
+        const double fraction = std::min((height - 2.0 * k_margin * s) / layout.panel.height,
+                                         k_widest_fraction * width / layout.panel.width);
+        if (fraction >= 1.0) {
             break;
         }
-        s *= 0.98 * share;
+        s *= 0.98 * fraction;
         layout = lay_out(content, s);
     }
     move(layout, std::floor(width - layout.panel.width - k_margin * s), std::floor(k_margin * s));
@@ -214,9 +214,9 @@ void draw_legend(Image& image, const LegendContent& content) {
     fill_rounded(image, layout.above, 0.0, scale.map->above, 1.0);
     fill_rounded(image, layout.below, 0.0, scale.map->below, 1.0);
     for (int row = 0; row < static_cast<int>(layout.bar.height); ++row) {
-        const double share = 1.0 - (row + 0.5) / layout.bar.height;
+        const double fraction = 1.0 - (row + 0.5) / layout.bar.height;
         fill_rounded(image, {layout.bar.x, layout.bar.y + row, layout.bar.width, 1.0}, 0.0,
-                     scale.colour(scale.low + share * (scale.high - scale.low)), 1.0);
+                     scale.colour(scale.low + fraction * (scale.high - scale.low)), 1.0);
     }
     const double thin = std::max(1.0, std::round(s));
     for (const std::array<double, 2>& tick : layout.ticks) {

@@ -20,7 +20,7 @@ constexpr double k_penumbra = 0.0100; // radius of the soft edge, in half diagon
 constexpr double k_light_margin = 1.05;
 constexpr int k_lookup_size = 1024;  // colours of the map; fewer: steps show
 constexpr int k_shadow_size = 1024;  // pixels a side; penumbra / texel of 4 to 5 suits 16 taps
-constexpr double k_line_width = 0.9; // of mesh lines, pixels at 720 lines
+constexpr double k_line_width = 0.9; // width of mesh lines, pixels at 720 lines
 constexpr int k_most_taps = 18;
 const Colour k_clay{0.37F, 0.315F, 0.275F};
 const Colour k_backdrop_near{0.325F, 0.335F, 0.345F};

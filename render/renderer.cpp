@@ -55,13 +55,13 @@ PictureStats count_values(const ValuePicture& values, const ColourScale& scale) 
         above += static_cast<double>(values.values[i]) > scale.high ? 1U : 0U;
         below += static_cast<double>(values.values[i]) < scale.low ? 1U : 0U;
     }
-    const auto share = [](std::size_t part, std::size_t whole) {
+    const auto fraction = [](std::size_t part, std::size_t whole) {
         return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
     };
     PictureStats stats;
-    stats.covered_share = share(covered, values.values.size());
-    stats.above_share = share(above, covered);
-    stats.below_share = share(below, covered);
+    stats.covered_share = fraction(covered, values.values.size());
+    stats.above_share = fraction(above, covered);
+    stats.below_share = fraction(below, covered);
     return stats;
 }
 

@@ -15,10 +15,11 @@ namespace weft {
 /// What a picture shows, counted one sample a pixel (at its centre) from the values themselves,
 /// not from colours; the legend hides nothing here.
 struct PictureStats {
-    double covered_share = 0.0; ///< of all pixels, those that show cloth
-    double above_share = 0.0;   ///< of the covered pixels, those above the range
-    double below_share = 0.0;
-    std::array<double, 3> mean_colour{}; ///< of the finished picture's bytes, legend included; 0..1
+    double covered_share = 0.0; ///< pixels that show cloth over all pixels
+    double above_share = 0.0;   ///< covered pixels above the range over covered pixels
+    double below_share = 0.0;   ///< the same below the range
+    std::array<double, 3>
+        mean_colour{}; ///< mean of the finished picture's bytes with the legend; 0..1
 };
 
 /// Counts the values; mean_colour stays zero.

@@ -43,7 +43,7 @@ namespace {
 /// What the lit materials share: key light with a soft shadow, ambient light, a weak counter light.
 ///
 /// The shadow kernel is a disc of `all_taps` points; each of the supersample^2 pixels that make
-/// one final pixel takes its own share of them, so that the final pixel sees the whole disc.
+/// one final pixel takes its own part of them, so that the final pixel sees the whole disc.
 /// Each tap compares against the receiver's own plane, which keeps wide kernels free of acne.
 const char* const k_lighting = R"(
 in vec3 world_position;
@@ -54,7 +54,7 @@ uniform vec3 key_direction;             // towards the light
 uniform vec3 light_right;
 uniform vec3 light_up;
 uniform mat4 to_light;                  // world to [0, 1]^3
-uniform float texel;                    // of the shadow map, m
+uniform float texel;                    // side of a texel of the shadow map, m
 uniform float light_depth;              // m that one unit of light depth spans
 uniform float kernel;                   // radius of the penumbra, in units of the map
 uniform vec2 taps[18];
@@ -77,11 +77,11 @@ float key_visibility(vec3 n) {
     vec2 plane = -slope * per_map_unit;
     bool outside = any(lessThan(place.xy, vec2(0.0))) || any(greaterThan(place.xy, vec2(1.0)));
     ivec2 pixel = ivec2(gl_FragCoord.xy) % supersample;
-    int share = supersample * supersample;
+    int stride = supersample * supersample;
     float open = 0.0;
     float count = 0.0;
     int last = (outside || dot(n, key_direction) <= 0.0) ? 0 : all_taps;
-    for (int i = pixel.y * supersample + pixel.x; i < last; i += share) {
+    for (int i = pixel.y * supersample + pixel.x; i < last; i += stride) {
         vec2 tap = taps[i];
         open += texture(shadow_map,
             vec3(place.xy + tap * kernel, min(place.z + dot(plane, tap), 0.9999)));
@@ -202,7 +202,7 @@ std::string resolve_fragment() {
     return R"(
 uniform sampler2DMS samples;
 uniform int supersample;
-uniform vec2 size;                      // of the picture, pixels
+uniform vec2 size;                      // size of the picture, pixels
 uniform vec3 backdrop_near;             // linear light: round the middle of the picture
 uniform vec3 backdrop_far;              // towards its corners
 out vec4 colour;

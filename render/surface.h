@@ -19,8 +19,8 @@ struct Ambient {
 struct Surface {
     std::vector<Vec3f> positions; ///< m
     std::vector<Vec3f> normals;   ///< unit, on the side from which triangles turn left
-    std::vector<float> values;    ///< of the shown quantity; zero where there is none
-    std::vector<Ambient> ambient; ///< full light until add_ambient_occlusion
+    std::vector<float> values;    ///< the shown quantity; zero where there is none
+    std::vector<Ambient> ambient; ///< full light until add_ambient_occlusion()
     std::vector<Triangle> triangles;
 };
 
@@ -28,8 +28,9 @@ struct Surface {
 /// `values` is #V or empty.
 void append_smooth(Surface& surface, const FrameObject& object, std::span<const float> values);
 
-inline constexpr float k_crease_cosine = 0.766F;       ///< of 40 degrees
-inline constexpr float k_solid_crease_cosine = 0.423F; ///< of 65 degrees: soft things are round
+inline constexpr float k_crease_cosine = 0.766F; ///< cosine of 40 degrees
+inline constexpr float k_solid_crease_cosine =
+    0.423F; ///< cosine of 65 degrees: soft things are round
 
 /// Adds an object whose edges stay sharp where neighbouring triangles turn by more than an angle:
 /// such a vertex is repeated, once for each group of triangles that are smooth together. `values`

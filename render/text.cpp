@@ -83,7 +83,7 @@ void Font::draw(Image& image,
                 double baseline,
                 std::string_view text,
                 const Colour& srgb,
-                double share) const {
+                double opacity) const {
     const int y = static_cast<int>(std::lround(baseline)); // whole lines keep stems sharp
     std::vector<unsigned char> glyph;
     for (std::size_t at = 0; at < text.size();) {
@@ -104,7 +104,7 @@ void Font::draw(Image& image,
                                               face_->scale, face_->scale, shift, 0.0F, code);
             for (int i = 0; i < width * height; ++i) {
                 blend(image, left + x0 + i % width, y + y0 + i / width, srgb,
-                      share * glyph[static_cast<std::size_t>(i)] / 255.0);
+                      opacity * glyph[static_cast<std::size_t>(i)] / 255.0);
             }
         }
         int advance = 0;

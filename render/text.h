@@ -26,7 +26,7 @@ public:
               double baseline,
               std::string_view text,
               const Colour& srgb,
-              double share = 1.0) const;
+              double opacity = 1.0) const;
 
 private:
     struct Face;

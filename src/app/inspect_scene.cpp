@@ -216,8 +216,8 @@ std::string describe_obstacle(const ObstacleParams& obstacle) {
     return sheet.text;
 }
 
-/// What the attachments of a world at its start join: cloths, pairs, lengths, gaps; with `warnings`
-/// of their sides' lengths.
+/// What the attachments of a world at its start join: cloths, pairs, lengths, gaps; `warnings`
+/// tell of sides that differ in length.
 std::string describe_attachments(const World& world, const std::vector<std::string>& warnings) {
     SummaryLines sheet;
     for (std::size_t i = 0; i < world.attachments.size(); ++i) {

@@ -22,21 +22,21 @@ CsvFile text_of(const std::filesystem::path& file, const std::map<int, std::stri
     return table;
 }
 
-/// Share of its diagonal by which motion may leave what was foreseen: what the camera's margin
-/// takes. Larger: cut off at the rim of the picture; smaller: drawn twice for little.
+/// Fraction of the diagonal by which motion may leave the predicted bounds: what the camera's
+/// margin takes. Larger: cut off at the rim of the picture; smaller: drawn twice for little.
 constexpr double k_beyond = 0.03;
 /// The same downwards: cloth below the floor would be hidden by it.
 constexpr double k_below = 0.003;
-/// Share of the foreseen diagonal below which the pictures are too empty.
+/// Fraction of the predicted diagonal below which the pictures are too empty.
 constexpr double k_filled = 0.75;
 
-bool was_foreseen(const Extent& motion, const Extent& foreseen) {
-    if (foreseen.is_empty() || motion.is_empty()) {
-        return foreseen.is_empty() == motion.is_empty();
+bool fits_prediction(const Extent& motion, const Extent& predicted) {
+    if (predicted.is_empty() || motion.is_empty()) {
+        return predicted.is_empty() == motion.is_empty();
     }
-    const double size = foreseen.box().diagonal().norm();
-    return motion.excess_over(foreseen) <= k_beyond * size &&
-           motion.excess_below(foreseen) <= k_below * size &&
+    const double size = predicted.box().diagonal().norm();
+    return motion.excess_over(predicted) <= k_beyond * size &&
+           motion.excess_below(predicted) <= k_below * size &&
            motion.box().diagonal().norm() >= k_filled * size;
 }
 
@@ -94,7 +94,7 @@ Vec2 colour_range(const Scene& scene) {
     return range;
 }
 
-Extent foresee_motion(const Frame& first, const Scene& scene) {
+Extent predict_picture_bounds(const Frame& first, const Scene& scene) {
     return predict_bounds(first, scene, subject_objects(first));
 }
 
@@ -105,7 +105,7 @@ PictureBounds picture_bounds(const CachedRun& run, const Scene& scene) {
     }
     const Frame first = run.read(numbers.front());
     const std::vector<bool> counts = subject_objects(first);
-    const Extent foreseen = predict_bounds(first, scene, counts);
+    const Extent predicted = predict_bounds(first, scene, counts);
     Extent motion;
     for (const int number : numbers) {
         const Frame frame = run.read(number);
@@ -115,8 +115,8 @@ PictureBounds picture_bounds(const CachedRun& run, const Scene& scene) {
             }
         }
     }
-    const bool is_foreseen = was_foreseen(motion, foreseen);
-    return {.motion = is_foreseen ? foreseen : motion, .is_foreseen = is_foreseen};
+    const bool is_as_predicted = fits_prediction(motion, predicted);
+    return {.motion = is_as_predicted ? predicted : motion, .is_as_predicted = is_as_predicted};
 }
 
 PictureWriter::PictureWriter(const Scene& scene, const Extent& motion, std::filesystem::path folder)
@@ -178,7 +178,8 @@ void LivePictures::draw(const Frame& frame) {
         const CachedRun run(paths_.folder, scene_);
         const std::vector<int> cached = run.frames();
         const bool is_first = cached.empty() || cached.front() >= frame.number;
-        const Extent motion = foresee_motion(is_first ? frame : run.read(cached.front()), scene_);
+        const Extent motion =
+            predict_picture_bounds(is_first ? frame : run.read(cached.front()), scene_);
         writer_.emplace(scene_, motion, paths_.frames_dir());
     }
     PictureStats stats;

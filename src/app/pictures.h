@@ -46,14 +46,16 @@ Vec2 colour_range(const Scene& scene);
 /// What camera, floor and light of a sequence are fitted to.
 struct PictureBounds {
     Extent motion;
-    bool is_foreseen = true; ///< false: what the cached frames show, as they left what was foreseen
+    bool is_as_predicted =
+        true; ///< false: what the cached frames show, as they left the predicted bounds
 };
 
 /// What a run's pictures are fitted to while it runs, from its first frame on.
-Extent foresee_motion(const Frame& first, const Scene& scene);
+Extent predict_picture_bounds(const Frame& first, const Scene& scene);
 
-/// What they are fitted to in the end, from the cached frames and the scene alone: what the first
-/// frame foresaw, unless the motion left it by more than a little or filled too little of it.
+/// What they are fitted to in the end, from the cached frames and the scene alone: the bounds
+/// predicted from the first frame, unless the motion left them by more than a little or filled too
+/// little of it.
 PictureBounds picture_bounds(const CachedRun& run, const Scene& scene);
 
 /// Draws a frame into a file and gives what there is to tell of the picture.

@@ -56,7 +56,7 @@ private:
     Recorder recorder_;
     StopSignals signals_;
     Stopwatch watch_;
-    double seconds_per_frame_ = 0.0; ///< of the frames that this process made
+    double seconds_per_frame_ = 0.0; ///< mean over the frames that this process made
 };
 
 ExitCode Simulation::run() {
@@ -142,7 +142,7 @@ bool Simulation::advance_all(Progress& progress) {
     return true;
 }
 
-/// Draws what the run has not drawn by now: all once more when the motion was not as foreseen.
+/// Draws what the run has not drawn by now: all once more when the motion was not as predicted.
 /// False: asked to stop before the last.
 bool Simulation::complete_pictures() {
     if (!scene_.render.enabled) {
@@ -152,7 +152,7 @@ bool Simulation::complete_pictures() {
     const PictureBounds bounds = picture_bounds(run, scene_);
     PictureTable& table = recorder_.pictures();
     std::vector<int> frames = run.frames();
-    if (bounds.is_foreseen) {
+    if (bounds.is_as_predicted) {
         std::erase_if(frames, [&](int frame) { return table.has(frame); });
     } else {
         spdlog::info("{}: the motion was not as foreseen: drawing the pictures again, fitted to it",

@@ -64,7 +64,7 @@ void measure_cloth(const World& world, const Cloth& cloth, FrameObject& object) 
     }
 }
 
-/// Of cloth whose model is of edges stretch and stress are those of its edges.
+/// Replaces stretch and stress by those of the edges where the model of the cloth is made of edges.
 void measure_cloth_edges(const World& world, const Cloth& cloth, FrameObject& object) {
     if (!has_edge_law(cloth.params.model)) {
         return;

@@ -33,7 +33,7 @@ struct Header {
     std::uint64_t contacts = 0; ///< entries of the contact memory
     std::uint64_t mesh_bytes = 0;
     std::uint64_t compressed_bytes = 0;
-    std::uint64_t checksum = 0; ///< of this header with 0 here, then the compressed bytes
+    std::uint64_t checksum = 0; ///< covers this header with 0 here, then the compressed bytes
 };
 static_assert(sizeof(Header) == 88);
 

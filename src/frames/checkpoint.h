@@ -17,7 +17,7 @@ struct Checkpoint {
     std::vector<Vec3> positions, velocities, previous_positions, previous_velocities;
     std::vector<AttachedState> attached_states;
     std::vector<FrictionHistory> friction_history;
-    std::string meshes; ///< of adaptive cloths, see mesh_state.h
+    std::string meshes; ///< meshes of adaptive cloths, see mesh_state.h
 };
 
 /// The moving part of a world.

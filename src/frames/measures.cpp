@@ -84,9 +84,9 @@ VertexEdgeMeasures measure_edges(const EdgeNetwork& network,
     }
     VertexEdgeMeasures means;
     for (std::size_t i = 0; i < count; ++i) {
-        const double share = edges[i] > 0 ? 1.0 / edges[i] : 0.0;
-        means.stretch.push_back(edges[i] > 0 ? static_cast<float>(share * stretch[i]) : 1.0F);
-        means.tension.push_back(static_cast<float>(share * tension[i]));
+        const double weight = edges[i] > 0 ? 1.0 / edges[i] : 0.0;
+        means.stretch.push_back(edges[i] > 0 ? static_cast<float>(weight * stretch[i]) : 1.0F);
+        means.tension.push_back(static_cast<float>(weight * tension[i]));
     }
     return means;
 }
@@ -145,12 +145,12 @@ double body_volume(const World& world, const Body& body) {
         return 0.0;
     }
     const Vec3 origin = x[0]; // near, for rounding's sake
-    const auto share = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto volume_from_origin = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
         return (a - origin).dot((b - origin).cross(c - origin)) / 6.0;
     };
     double sum = parallel_sum(body.triangles.size(), [&](std::size_t t) {
         const Triangle& v = body.triangles[t];
-        return share(x[at(v[0])], x[at(v[1])], x[at(v[2])]);
+        return volume_from_origin(x[at(v[0])], x[at(v[1])], x[at(v[2])]);
     });
     for (const std::vector<Index>& loop : boundary_loops(body.topology)) {
         Vec3 middle = Vec3::Zero();
@@ -160,7 +160,7 @@ double body_volume(const World& world, const Body& body) {
         for (std::size_t k = 0; k < loop.size(); ++k) {
             const Vec3& a = x[at(loop[k])];
             const Vec3& b = x[at(loop[(k + 1) % loop.size()])];
-            sum += share(b, a, middle);
+            sum += volume_from_origin(b, a, middle);
         }
     }
     return sum;

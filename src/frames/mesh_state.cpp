@@ -130,7 +130,7 @@ bool are_of_one_mesh(const Cloth& cloth) {
 /// Vertices of later cloths and of bodies, and what names them, move along.
 void set_first_vertices(World& world) {
     Index next = 0;
-    Index old_end = 0; // of all cloths, as they were
+    Index old_end = 0; // end of all cloths' vertices, as they were
     for (Cloth& cloth : world.cloths) {
         const Index old = cloth.first_vertex;
         const Index shift = next - old;

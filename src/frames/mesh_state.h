@@ -11,8 +11,8 @@ namespace weft {
 /// adaptive cloth. Equal worlds give equal bytes.
 std::string encode_meshes(const World& world);
 
-/// Puts them back into a world made of the same scene, at its start: its cloths have the vertices
-/// of then. What is wrong with the bytes in words, or "" and the world has them.
+/// Puts them back into a world made of the same scene, at its start: its cloths then have the
+/// vertices that were encoded. Returns what is wrong with the bytes in words, or "".
 std::string decode_meshes(std::string_view bytes, World& world);
 
 } // namespace weft

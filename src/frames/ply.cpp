@@ -21,7 +21,7 @@ constexpr std::string_view k_list = "property list uchar int vertex_indices";
 struct Header {
     std::size_t vertices = 0;
     std::size_t faces = 0;
-    std::vector<std::string> properties; ///< of a vertex, all float
+    std::vector<std::string> properties; ///< names of a vertex's values, all float
     std::size_t bytes = 0;               ///< length of the header itself
 };
 

@@ -14,7 +14,7 @@ constexpr double k_far = std::numeric_limits<double>::infinity();
 constexpr double k_give = 0.25;           // sag of what is not an obstacle over its diagonal
 constexpr std::size_t k_most_rays = 500;  // looks down from a body
 constexpr std::size_t k_most_times = 400; // places of an obstacle on its path
-constexpr int k_places = 8;               // of a falling body that are looked at
+constexpr int k_places = 8;               // samples on the path of a falling body
 
 /// A triangle in axes whose z points down: corners across (x, y) and their depth (z).
 using DownTriangle = std::array<Vec3, 3>;

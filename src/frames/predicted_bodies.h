@@ -41,7 +41,7 @@ Extent obstacle_bounds(const FrameObject& object,
 /// How a solid or a rigid body begins.
 struct BodyStart {
     Vec3 velocity = Vec3::Zero(); ///< m/s
-    std::vector<PinParams> pins;  ///< of its particles; with one it stays where they are
+    std::vector<PinParams> pins;  ///< pins of its particles; with one it stays where they are
 };
 
 /// What a body will probably move in: thrown as it starts, without air, until it meets another

@@ -18,7 +18,7 @@ namespace {
 constexpr double k_far = std::numeric_limits<double>::infinity();
 constexpr double k_give = 1.02;   // hanging cloth is this much longer than its rest shape
 constexpr double k_zigzag = 1.08; // paths along edges are up to this much too long
-constexpr double k_braking = 1.5; // of air on the upswing, fitted to a sheet of 0.15 kg/m^2
+constexpr double k_braking = 1.5; // by air on the upswing, fitted to a sheet of 0.15 kg/m^2
 constexpr int k_arc = 6;          // places looked at on that arc
 constexpr double k_lean = 0.25;   // drag of cloth that streams in wind, over a plate's
 constexpr double k_flutter = 0.2; // aside in wind and half down, over the distance to the pin

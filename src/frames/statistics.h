@@ -8,9 +8,9 @@
 
 namespace weft {
 
-/// Stretch and shear over all triangles of cloth, weighted by their rest area. Of a cloth whose
-/// model is of edges stretch is that of the edges that resist it, length over rest length, which
-/// share its area between them; likewise of solids, each with half a square of the spacing.
+/// Stretch and shear over all triangles of cloth, weighted by their rest area. Where the model of
+/// a cloth is made of edges, stretch is length over rest length of the edges that resist it, and
+/// they divide its area between them. Edges of solids count half a square of the spacing each.
 struct StrainStatistics {
     double stretch_min = 1.0;  ///< least principal stretch
     double stretch_mean = 1.0; ///< mean, 95th percentile and greatest of each triangle's greater
@@ -19,9 +19,9 @@ struct StrainStatistics {
     double shear_max_deg = 0.0; ///< greatest distance of weft and warp from a right angle
 };
 
-/// Energies and motion of all that moves by forces.
+/// Energies and motion of everything that moves by forces.
 struct MotionStatistics {
-    double kinetic = 0.0, membrane = 0.0, bending = 0.0; ///< J; edges of solids are in membrane
+    double kinetic = 0.0, membrane = 0.0, bending = 0.0; ///< J; membrane includes edges of solids
     double gravity = 0.0;                                ///< J; 0 at the origin
     Vec3 centre_of_mass = Vec3::Zero();                  ///< m
     double max_speed = 0.0;                              ///< m/s
@@ -31,7 +31,7 @@ struct MotionStatistics {
 struct FrameStatistics {
     int frame = 1;
     double time = 0.0;
-    FrameReport report; ///< of the way to this frame; empty for the first
+    FrameReport report; ///< what advancing to this frame did; empty for the first
     std::size_t vertices = 0, triangles = 0;
     std::array<std::size_t, 9> levels{}; ///< triangles of each level of refinement
     int crossings = 0; ///< pairs that cross, by the exact test: greatest of the frame's own and of
@@ -40,8 +40,8 @@ struct FrameStatistics {
     MotionStatistics motion;
     AttachmentReport attachments;
     double volume = 0.0;            ///< m^3, of all solids together
-    std::size_t inverted_cells = 0; ///< of solids, see count_inverted_cells()
-    double least_angle_deg = 60.0;  ///< of the rest triangles of all cloth
+    std::size_t inverted_cells = 0; ///< in solids, see count_inverted_cells()
+    double least_angle_deg = 60.0;  ///< least angle of a rest triangle of any cloth
     std::uint64_t state_hash = 0;
 };
 
@@ -63,7 +63,7 @@ private:
 
     Vec3 gravity_;
     double fps_;
-    std::vector<Index> adaptations_; ///< of the meshes that the elements are of
+    std::vector<Index> adaptations_; ///< adaptations_of() the world that energies_ were made for
     std::vector<ElasticEnergy> energies_;
 };
 

@@ -15,12 +15,13 @@ NLOHMANN_JSON_SERIALIZE_ENUM(RunState,
                               {RunState::Stopped, "stopped"}})
 
 void write_status(const std::filesystem::path& file, const RunStatus& status) {
-    const double share = status.frames > 0 ? static_cast<double>(status.frame) / status.frames : 0;
+    const double fraction =
+        status.frames > 0 ? static_cast<double>(status.frame) / status.frames : 0;
     nlohmann::ordered_json json{
         {"state", status.state},
         {"frame", status.frame},
         {"frames", status.frames},
-        {"percent", 100.0 * share},
+        {"percent", 100.0 * fraction},
         {"seconds_per_frame", status.seconds_per_frame},
         {"seconds_left", status.seconds_left},
         {"pid", ::getpid()},

@@ -11,10 +11,10 @@ enum class RunState { Running, Done, Failed, Stopped };
 struct RunStatus {
     RunState state = RunState::Running;
     int frame = 0;  ///< last complete frame; 0: none yet
-    int frames = 0; ///< of the whole run
+    int frames = 0; ///< length of the whole run
     double seconds_per_frame = 0.0;
     double seconds_left = 0.0;
-    int exit_code = 0;   ///< of the process; 0 while it runs
+    int exit_code = 0;   ///< the process returned it; 0 while it runs
     std::string message; ///< why it ended; empty while it runs
 };
 
