@@ -93,10 +93,8 @@ std::vector<Vec3> pose_model(const ImportedMesh& mesh, const std::string& animat
     return positions;
 }
 
-/// A triangle whose joint is oriented by a quarter turn about z before it turns by a quarter about
-/// x within 1 s; in ASCII FBX, with further properties of the joint.
-std::string oriented_fbx(const std::string& properties) {
-    return R"(; FBX 7.3.0 project file
+/// Units, axes and a triangle, up to the properties of its joint, in ASCII FBX.
+constexpr const char* k_flap_fbx = R"(; FBX 7.3.0 project file
 FBXHeaderExtension:  {
 FBXHeaderVersion: 1003
 FBXVersion: 7300
@@ -127,14 +125,19 @@ Model: 2000, "Model::Flap", "Mesh" {
 Version: 232
 Properties70:  {
 P: "PreRotation", "Vector3D", "Vector", "",0,0,90
-)" + properties +
-           R"(
+)";
+
+/// The rest of the joint.
+constexpr const char* k_joint_fbx = R"(
 P: "RotationActive", "bool", "", "",1
 }
 Shading: T
 Culling: "CullingOff"
 }
-AnimationStack: 3000, "AnimStack::Take", "" {
+)";
+
+/// A quarter turn within 1 s, and what belongs to what.
+constexpr const char* k_turn_fbx = R"(AnimationStack: 3000, "AnimStack::Take", "" {
 Properties70:  {
 P: "LocalStop", "KTime", "Time", "",46186158000
 }
@@ -174,6 +177,11 @@ C: "OO",3200,3100
 C: "OP",3200,2000, "Lcl Rotation"
 C: "OP",3300,3200, "d|X"
 })";
+
+/// A triangle whose joint is oriented by a quarter turn about z before it turns by a quarter about
+/// x within 1 s; in ASCII FBX, with further properties of the joint.
+std::string oriented_fbx(const std::string& properties) {
+    return k_flap_fbx + properties + k_joint_fbx + k_turn_fbx;
 }
 
 } // namespace

@@ -10,6 +10,10 @@ Scene read(const std::string& text) {
     return read_scene_text(text, "a.toml", "");
 }
 
+Scene every_key() {
+    return read_scene(test::source_path("tests/scenes/every_key.toml"));
+}
+
 TEST(SceneReader, FillsInTheDefaultsOfTheFormat) {
     const Scene scene = read("[[cloth]]\nname = \"flag\"\ngrid = {}\n");
 
@@ -22,8 +26,8 @@ TEST(SceneReader, FillsInTheDefaultsOfTheFormat) {
     EXPECT_EQ(scene.cloths[0], expected);
 }
 
-TEST(SceneReader, ReadsEveryKeyOfAFullScene) {
-    const Scene scene = read_scene(test::source_path("tests/scenes/every_key.toml"));
+TEST(SceneReader, ReadsEveryKeyOfTimeContactAndPictures) {
+    const Scene scene = every_key();
 
     EXPECT_EQ(scene.scene.integrator, Integrator::Bdf2);
     EXPECT_EQ(scene.scene.frames, 12);
@@ -33,6 +37,14 @@ TEST(SceneReader, ReadsEveryKeyOfAFullScene) {
     const FrictionPair expected_pair{{"shirt", "body"}, 0.25, 0.45};
     EXPECT_EQ(scene.contact.friction[0], expected_pair);
     EXPECT_EQ(scene.contact.friction[1].static_friction, std::nullopt);
+    EXPECT_TRUE(scene.render.has_camera);
+    EXPECT_DOUBLE_EQ(scene.render.camera.fov_deg, 40.0);
+    EXPECT_EQ(scene.render.map, "seed");
+}
+
+TEST(SceneReader, ReadsEveryKeyOfCloth) {
+    const Scene scene = every_key();
+
     ASSERT_EQ(scene.cloths.size(), 3u);
     const ClothParams& shirt = scene.cloths[0];
     EXPECT_EQ(shirt.mesh.objects, (std::vector<std::string>{"Front", "Back"}));
@@ -55,6 +67,12 @@ TEST(SceneReader, ReadsEveryKeyOfAFullScene) {
     EXPECT_EQ(shirt.pins[2].loop_side, "top");
     EXPECT_EQ(shirt.pins[2].to, "body");
     EXPECT_EQ(shirt.pins[3].loop, 1);
+}
+
+TEST(SceneReader, ReadsEveryKeyOfNets) {
+    const Scene scene = every_key();
+
+    ASSERT_EQ(scene.cloths.size(), 3u);
     EXPECT_EQ(scene.cloths[1].grid_cells, (std::array<int, 2>{8, 4}));
     const ClothParams& net = scene.cloths[2];
     EXPECT_EQ(net.model, Model::StvkEdge);
@@ -62,6 +80,11 @@ TEST(SceneReader, ReadsEveryKeyOfAFullScene) {
     EXPECT_EQ(net.spring.a2, 0.96);
     EXPECT_EQ(net.spring.limit, Vec2(0.9, 1.1));
     EXPECT_TRUE(net.spring.calibrate);
+}
+
+TEST(SceneReader, ReadsEveryKeyOfObstacles) {
+    const Scene scene = every_key();
+
     ASSERT_EQ(scene.obstacles.size(), 7u);
     EXPECT_EQ(scene.obstacles[0].motion.size(), 2u);
     EXPECT_DOUBLE_EQ(scene.obstacles[0].motion[1].rotate_deg.y(), 90.0);
@@ -77,6 +100,11 @@ TEST(SceneReader, ReadsEveryKeyOfAFullScene) {
     EXPECT_EQ(scene.obstacles[4].shape, Shape::Sphere);
     EXPECT_EQ(scene.obstacles[5].shape, Shape::Box);
     EXPECT_EQ(scene.obstacles[6].shape, Shape::Plane);
+}
+
+TEST(SceneReader, ReadsEveryKeyOfSolids) {
+    const Scene scene = every_key();
+
     ASSERT_EQ(scene.solids.size(), 2u);
     const SolidParams& cube = scene.solids[0];
     EXPECT_EQ(cube.box, Vec3(0.2, 0.4, 0.6));
@@ -91,6 +119,13 @@ TEST(SceneReader, ReadsEveryKeyOfAFullScene) {
     ASSERT_EQ(cube.pins.size(), 1u);
     EXPECT_DOUBLE_EQ(cube.pins[0].until, 3.0);
     EXPECT_FALSE(cube.fills_open);
+    EXPECT_TRUE(scene.solids[1].fills_open);
+    EXPECT_EQ(scene.solids[1].mesh.objects, std::vector<std::string>{"Bunny"});
+}
+
+TEST(SceneReader, ReadsEveryKeyOfRigidBodies) {
+    const Scene scene = every_key();
+
     ASSERT_EQ(scene.rigids.size(), 3u);
     const RigidParams& ball = scene.rigids[0];
     EXPECT_EQ(ball.shape, Shape::Sphere);
@@ -104,15 +139,10 @@ TEST(SceneReader, ReadsEveryKeyOfAFullScene) {
     EXPECT_EQ(ball.static_friction, 0.6);
     EXPECT_EQ(scene.rigids[1].size, Vec3(0.2, 0.1, 0.3));
     EXPECT_EQ(scene.rigids[2].mesh.objects, std::vector<std::string>{"Anvil"});
-    EXPECT_TRUE(scene.solids[1].fills_open);
-    EXPECT_EQ(scene.solids[1].mesh.objects, std::vector<std::string>{"Bunny"});
-    EXPECT_TRUE(scene.render.has_camera);
-    EXPECT_DOUBLE_EQ(scene.render.camera.fov_deg, 40.0);
-    EXPECT_EQ(scene.render.map, "seed");
 }
 
 TEST(SceneReader, TakesPathsRelativeToTheSceneFile) {
-    const Scene scene = read_scene(test::source_path("tests/scenes/every_key.toml"));
+    const Scene scene = every_key();
 
     EXPECT_EQ(scene.base_dir, test::source_path("tests/scenes"));
 }
