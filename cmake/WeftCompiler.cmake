@@ -28,7 +28,7 @@ endif()
 # Our asserts stay in release (they cost under 1 % and catch our faults); Eigen's, one an access, go.
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DEIGEN_NO_DEBUG")
 set(CMAKE_CXX_FLAGS_PROFILE "${CMAKE_CXX_FLAGS_RELEASE} -g -fno-omit-frame-pointer")
-set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
+set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1 -DWEFT_DEBUG_BUILD -D_GLIBCXX_ASSERTIONS")
 if(WEFT_SANITIZE)
     target_compile_options(weft_compiler INTERFACE
         -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "state/cloth.h"
-#include "state/cloth_changes.h"
+#include "state/refinement.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "adapt/renumber_world.h"
 
-#include "state/number_bodies.h"
+#include "state/body.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "state/cloth_changes.h"
+#include "state/refinement.h"
 #include "state/world.h"
 
 namespace weft {

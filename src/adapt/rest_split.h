@@ -1,7 +1,7 @@
 #pragma once
 
 #include "state/refinement.h"
-#include "state/rest_triangle.h"
+#include "state/rest_shape.h"
 
 /// Rest shapes of the triangles that refinement makes. They keep the material frame (weft, warp) of
 /// what they are cut from; a flip gives both its triangles the mean of their frames.

@@ -5,7 +5,7 @@
 #include "geometry/mesh_edit.h"
 #include "geometry/vertex_stars.h"
 #include "state/cloth.h"
-#include "state/cloth_changes.h"
+#include "state/refinement.h"
 
 #include <vector>
 

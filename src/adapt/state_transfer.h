@@ -3,7 +3,7 @@
 #include "adapt/adaptation_hooks.h"
 #include "adapt/friction_transfer.h"
 #include "adapt/patch_momentum.h"
-#include "state/cloth_changes.h"
+#include "state/refinement.h"
 #include "state/world.h"
 
 #include <optional>

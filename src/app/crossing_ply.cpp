@@ -1,7 +1,7 @@
 #include "app/crossing_ply.h"
 
 #include "geometry/crossing.h"
-#include "state/world_objects.h"
+#include "state/world.h"
 
 #include <fmt/core.h>
 

@@ -10,7 +10,7 @@
 #include "scene/law_shape.h"
 #include "scene/mesh_sequence.h"
 #include "scene/scene_reader.h"
-#include "state/build_obstacle.h"
+#include "state/build_world.h"
 #include "state/world_objects.h"
 
 #include <algorithm>
@@ -161,13 +161,14 @@ std::string size_text(const Eigen::AlignedBox3d& box) {
 
 /// How the shape of an obstacle changes during a scene, when it does: loads it as a run does.
 ///
-/// Throws Error (BadInput) as build_obstacle() does.
+/// Throws Error (BadInput) as import_obstacle() does.
 void describe_deformation(const ObstacleParams& params,
                           const std::filesystem::path& base_dir,
                           const SceneParams& scene,
                           SummaryLines& sheet) {
-    const Obstacle obstacle =
-        build_obstacle(params, base_dir, scene.fps, [](const std::string&) {});
+    World world;
+    const Obstacle& obstacle =
+        add_obstacle(world, params, import_obstacle(params, base_dir, scene.fps, ignore_warning));
     if (!deforms(obstacle)) {
         return;
     }

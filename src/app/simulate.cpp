@@ -9,6 +9,7 @@
 #include "frames/acceptance.h"
 #include "frames/status.h"
 #include "scene/scene_writer.h"
+#include "state/build_world.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scene/scene.h"
 #include "state/world.h"
 
 #include <fmt/core.h>

@@ -73,15 +73,16 @@ PairTerms terms_of(const ContactSurface& surface,
         if (weights[i] == 0.0 || surface.inverse_mass[at(v)] == 0.0) {
             continue;
         }
-        const Carrier* carrier = surface.is_deformable(v) ? surface.carriers.of(v) : nullptr;
-        const ContactBody* body = carrier == nullptr ? nullptr : surface.body_of(v);
-        if (carrier == nullptr) {
+        const Embedding* embedding =
+            surface.is_deformable(v) ? surface.embeddings.find(v) : nullptr;
+        const ContactBody* body = embedding == nullptr ? nullptr : surface.body_of(v);
+        if (embedding == nullptr) {
             terms.add(v, weights[i]);
         } else if (body->is_rigid) {
             terms.add(*body, weights[i], surface.start[at(v)] - body->centre);
         } else {
-            for (std::size_t k = 0; k < 4 && carrier->particles[k] != k_no_index; ++k) {
-                terms.add(carrier->particles[k], weights[i] * carrier->weights[k]);
+            for (std::size_t k = 0; k < 4 && embedding->particles[k] != k_no_index; ++k) {
+                terms.add(embedding->particles[k], weights[i] * embedding->weights[k]);
             }
         }
     }
@@ -91,13 +92,14 @@ PairTerms terms_of(const ContactSurface& surface,
 } // namespace
 
 Vec3 velocity_of(const ContactSurface& surface, Index vertex) {
-    const Carrier* carrier = surface.is_deformable(vertex) ? surface.carriers.of(vertex) : nullptr;
-    if (carrier == nullptr) {
+    const Embedding* embedding =
+        surface.is_deformable(vertex) ? surface.embeddings.find(vertex) : nullptr;
+    if (embedding == nullptr) {
         return surface.velocity[at(vertex)];
     }
     Vec3 velocity = Vec3::Zero();
-    for (std::size_t k = 0; k < 4 && carrier->particles[k] != k_no_index; ++k) {
-        velocity += carrier->weights[k] * surface.velocity[at(carrier->particles[k])];
+    for (std::size_t k = 0; k < 4 && embedding->particles[k] != k_no_index; ++k) {
+        velocity += embedding->weights[k] * surface.velocity[at(embedding->particles[k])];
     }
     return velocity;
 }

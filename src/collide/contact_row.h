@@ -47,7 +47,7 @@ PairPoints
 displacements(const ContactSurface& surface, const std::array<Index, 4>& vertices, double dt);
 
 // An impulse acts on a vertex that is solved for through its mass, on one that particles carry
-// through these, and on a rigid body as a whole. A carried vertex has the velocity of its
+// through these, and on a rigid body as a whole. An embedded vertex has the velocity of its
 // particles; what the surface holds for it is brought up to date by follow_particles().
 
 /// Velocity of a vertex, m/s.

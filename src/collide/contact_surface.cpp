@@ -160,16 +160,16 @@ void add_rules(ContactSurface& surface, const ContactParams& contact) {
     }
 }
 
-/// Takes the masses of carried vertices and of rigid bodies from their particles.
+/// Takes the masses of embedded vertices and of rigid bodies from their particles.
 void place_bodies(ContactSurface& surface) {
     for (ContactBody& body : surface.bodies) {
         parallel_for(at(body.vertex_count), [&](std::size_t i) {
             const std::size_t v = at(body.first_vertex) + i;
-            const Carrier& carrier = *surface.carriers.of(static_cast<Index>(v));
+            const Embedding& embedding = *surface.embeddings.find(static_cast<Index>(v));
             surface.inverse_mass[v] = 0.0;
-            for (std::size_t k = 0; k < 4 && carrier.particles[k] != k_no_index; ++k) {
-                surface.inverse_mass[v] += carrier.weights[k] * carrier.weights[k] *
-                                           surface.inverse_mass[at(carrier.particles[k])];
+            for (std::size_t k = 0; k < 4 && embedding.particles[k] != k_no_index; ++k) {
+                surface.inverse_mass[v] += embedding.weights[k] * embedding.weights[k] *
+                                           surface.inverse_mass[at(embedding.particles[k])];
             }
         });
         if (body.is_rigid) {
@@ -221,8 +221,8 @@ void place_deforming(ContactSurface& surface,
                      double dt) {
     const Pose pose_start = obstacle_pose(obstacle, time);
     const Pose pose_end = obstacle_pose(obstacle, time + dt);
-    const Deformation::Positions start = obstacle_shape(obstacle, time);
-    const Deformation::Positions end = obstacle_shape(obstacle, time + dt);
+    const auto start = obstacle_shape(obstacle, time);
+    const auto end = obstacle_shape(obstacle, time + dt);
     const std::size_t first = at(object.first_vertex);
     const bool stays = parallel_reduce(
         start->size(), true,
@@ -314,7 +314,7 @@ void join_seams(ContactSurface& surface, const World& world) {
 
 ContactSurface make_surface(const World& world, const ContactParams& contact) {
     ContactSurface surface;
-    surface.carriers = make_carrier_table(world);
+    surface.embeddings = make_embedding_table(world);
     surface.deformable_vertices = static_cast<Index>(world.vertex_count());
     Index next_vertex = surface.deformable_vertices;
     for (const ObjectId id : objects_of(world)) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/separation.h"
-#include "state/carrier_table.h"
+#include "state/body.h"
 #include "state/world_objects.h"
 
 #include <span>
@@ -53,7 +53,7 @@ struct ContactSurface {
     std::vector<ContactObject> objects;   ///< in the order of objects_of(world)
     std::array<Index, 4> first_of_kind{}; ///< number in `objects` of the first one of each kind
     std::vector<ContactBody> bodies;      ///< solids, then rigid bodies
-    CarrierTable carriers;                ///< of deformable vertices
+    EmbeddingTable embeddings;            ///< of deformable vertices
     std::vector<PairRule> rules;          ///< #objects x #objects, row by row
     Index deformable_vertices = 0;
     Index deformable_triangles = 0;
@@ -76,7 +76,7 @@ struct ContactSurface {
 
     std::vector<Vec3> start;          ///< at the start of the substep, m
     std::vector<Vec3> velocity;       ///< along the substep, m/s
-    std::vector<double> inverse_mass; ///< 1/kg; 0 = infinite; a carried vertex's own, alone
+    std::vector<double> inverse_mass; ///< 1/kg; 0 = infinite; an embedded vertex's own, alone
 
     bool owns_corner(Index triangle, std::size_t k) const {
         return (owned[static_cast<std::size_t>(triangle)] & (1 << k)) != 0;

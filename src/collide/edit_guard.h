@@ -1,7 +1,7 @@
 #pragma once
 
 #include "collide/broad_phase.h"
-#include "state/cloth_changes.h"
+#include "state/refinement.h"
 
 namespace weft {
 

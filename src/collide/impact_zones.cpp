@@ -49,9 +49,9 @@ AffineMotion obstacle_motion(const ContactObject& object, double dt) {
 /// alike.
 AffineMotion rigid_motion(const ContactSurface& surface, std::span<const Index> vertices) {
     const auto mass_of = [&](Index v) {
-        return !surface.is_deformable(v) ? 1.0
-               : surface.carriers.of(v)  ? 0.0 // its particles have it
-                                         : 1.0 / surface.inverse_mass[at(v)];
+        return !surface.is_deformable(v)    ? 1.0
+               : surface.embeddings.find(v) ? 0.0 // its particles have it
+                                            : 1.0 / surface.inverse_mass[at(v)];
     };
     AffineMotion motion;
     double mass = 0.0;

@@ -6,8 +6,6 @@ namespace weft {
 
 namespace {
 
-constexpr double k_earth_gravity = 9.81; // m/s^2
-
 /// A limit's force as a multiple of the weight of the whole object. Larger: the step solves longer;
 /// smaller: less load than 18 times this multiple of the weight, on one edge, takes an edge out.
 constexpr double k_limit_weights = 4.0;

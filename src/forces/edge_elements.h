@@ -4,6 +4,7 @@
 #include "state/body.h"
 #include "state/cloth.h"
 #include "state/edge_network.h"
+#include "state/refinement.h"
 
 namespace weft {
 

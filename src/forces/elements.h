@@ -3,7 +3,7 @@
 #include "base/eigen.h"
 #include "base/parallel.h"
 #include "state/cloth.h"
-#include "state/cloth_changes.h"
+#include "state/refinement.h"
 
 #include <algorithm>
 #include <cassert>

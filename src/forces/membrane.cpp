@@ -29,15 +29,6 @@ Mat32 damping_stress(const Mat32& F, const Mat32& rate, const MembraneStiffness&
 
 } // namespace
 
-MembraneStiffness membrane_stiffness(const FabricParams& fabric) {
-    assert(fabric.poisson >= 0.0 && fabric.poisson < 1.0);
-    const double e1 = fabric.stretch_stiffness(0);
-    const double e2 = fabric.stretch_stiffness(1);
-    const double inverse = 1.0 / (1.0 - fabric.poisson * fabric.poisson);
-    return {e1 * inverse, fabric.poisson * std::sqrt(e1 * e2) * inverse, e2 * inverse,
-            fabric.shear_stiffness};
-}
-
 Mat32 deformation_gradient(const Corners& x, const RestTriangle& rest) {
     const Vec3 d1 = x[1] - x[0];
     const Vec3 d2 = x[2] - x[0];

@@ -9,20 +9,13 @@
 ///
 ///     W = A/2 e^T C e,   e = (S11 - 1, S22 - 1, 2 S12)
 ///
+/// with C of membrane_stiffness(), state/cloth.h.
+///
 /// Source: corotational cloth after Etzmuss et al. 2003 and Bender and Deul 2013, but with the
 /// exact gradient: the classic force -A R sigma g is a gradient only where sigma and S commute.
 namespace weft {
 
 using Corners = std::array<Vec3, 3>;
-
-/// C = [[c11, c12, 0], [c12, c22, 0], [0, 0, c33]], N/m; positive definite.
-struct MembraneStiffness {
-    double c11, c12, c22, c33;
-};
-
-/// C from Young's moduli (times thickness) along weft and warp, shear modulus and
-/// poisson = sqrt(nu12 nu21); E1 nu21 = E2 nu12 makes it symmetric.
-MembraneStiffness membrane_stiffness(const FabricParams& fabric);
 
 /// F = sum of x_i g_i^T, 3×2; with velocities for x, its rate.
 Mat32 deformation_gradient(const Corners& x, const RestTriangle& rest);

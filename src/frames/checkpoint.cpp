@@ -2,6 +2,7 @@
 
 #include "base/hash.h"
 #include "frames/mesh_state.h"
+#include "state/deformation.h"
 
 #include <fmt/core.h>
 #include <zstd.h>
@@ -198,9 +199,9 @@ std::uint64_t geometry_hash(const World& start) {
     }
     for_each_body(start, [&](const Body& body) {
         add(hash, body.triangles);
-        for (const Carrier& carrier : body.carriers) {
-            hash.add(std::span<const Index>(carrier.particles));
-            hash.add(std::span<const double>(carrier.weights));
+        for (const Embedding& embedding : body.embeddings) {
+            hash.add(std::span<const Index>(embedding.particles));
+            hash.add(std::span<const double>(embedding.weights));
         }
     });
     for (const AttachedPair& pair : start.attached_pairs) {

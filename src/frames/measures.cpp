@@ -113,12 +113,12 @@ std::vector<double> surface_stretches(const World& world, const Solid& solid) {
         }
     }
     std::vector<double> carried;
-    carried.reserve(solid.body.carriers.size());
-    for (const Carrier& carrier : solid.body.carriers) {
+    carried.reserve(solid.body.embeddings.size());
+    for (const Embedding& embedding : solid.body.embeddings) {
         double value = 0.0;
-        for (std::size_t k = 0; k < 4 && carrier.particles[k] != k_no_index; ++k) {
-            const std::size_t p = at(carrier.particles[k]);
-            value += carrier.weights[k] * (counts[p] > 0 ? sums[p] / counts[p] : 1.0);
+        for (std::size_t k = 0; k < 4 && embedding.particles[k] != k_no_index; ++k) {
+            const std::size_t p = at(embedding.particles[k]);
+            value += embedding.weights[k] * (counts[p] > 0 ? sums[p] / counts[p] : 1.0);
         }
         carried.push_back(value);
     }

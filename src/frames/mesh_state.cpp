@@ -1,6 +1,6 @@
 #include "frames/mesh_state.h"
 
-#include "state/number_bodies.h"
+#include "state/body.h"
 
 #include <algorithm>
 #include <cstring>

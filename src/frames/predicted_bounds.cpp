@@ -4,7 +4,7 @@
 #include "forces/air.h"
 #include "geometry/mesh_distance.h"
 #include "geometry/triangle_mesh.h"
-#include "state/build_pins.h"
+#include "state/pin.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,7 +1,7 @@
 #include "frames/problems.h"
 
 #include "base/error.h"
-#include "state/world_objects.h"
+#include "state/world.h"
 
 #include <fmt/core.h>
 

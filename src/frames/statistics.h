@@ -1,7 +1,7 @@
 #pragma once
 
 #include "forces/cloth_forces.h"
-#include "state/update_attachments.h"
+#include "state/attachment.h"
 #include "step/advance.h"
 
 #include <vector>

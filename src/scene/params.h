@@ -14,6 +14,8 @@ namespace weft {
 
 inline constexpr double k_forever = std::numeric_limits<double>::infinity();
 
+inline constexpr double k_earth_gravity = 9.81; ///< m/s^2
+
 enum class Integrator { Euler, Bdf2 };
 
 /// `[scene]`: time, integration, surroundings.
@@ -25,9 +27,9 @@ struct SceneParams {
     int newton = 1;                 ///< iterations a substep; 1 = one linearisation; 1..100
     double solver_tolerance = 1e-4; ///< residual of the linear solve relative to its right-hand
                                     ///< side; larger: softer, noisier cloth; (0, 0.1]
-    Vec3 gravity{0.0, -9.81, 0.0};  ///< m/s^2
-    Vec3 wind{0.0, 0.0, 0.0};       ///< m/s
-    double air_density = 1.2;       ///< kg/m^3; 0 = no air
+    Vec3 gravity{0.0, -k_earth_gravity, 0.0}; ///< m/s^2
+    Vec3 wind{0.0, 0.0, 0.0};                 ///< m/s
+    double air_density = 1.2;                 ///< kg/m^3; 0 = no air
     bool operator==(const SceneParams&) const = default;
 };
 

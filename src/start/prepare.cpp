@@ -1,5 +1,7 @@
 #include "start/prepare.h"
 
+#include "state/build_world.h"
+
 namespace weft {
 
 std::optional<Preparation>

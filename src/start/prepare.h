@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scene/scene.h"
 #include "step/prepared.h"
 
 #include "start/start_overlap.h"

@@ -4,7 +4,8 @@
 #include "collide/crossings.h"
 #include "collide/untangle.h"
 #include "geometry/inset.h"
-#include "state/build_pins.h"
+#include "state/deformation.h"
+#include "state/pin.h"
 #include "step/advance.h"
 
 #include <algorithm>

@@ -1,9 +1,8 @@
-#include "state/build_attachments.h"
-
 #include "base/error.h"
 #include "geometry/closest_points.h"
+#include "state/attachment.h"
+#include "state/build_world.h"
 #include "state/seam_chain.h"
-#include "state/update_attachments.h"
 
 #include <algorithm>
 
@@ -11,15 +10,15 @@ namespace weft {
 
 namespace {
 
-/// Lengths of a seam's sides that differ by more than this share pucker.
+/// A seam whose sides differ in length by more than this fraction puckers.
 constexpr double k_length_difference = 0.03;
 
-/// A pair is closed within this share of the contact thickness.
+/// A pair within this fraction of the contact thickness of its rest gap is closed.
 constexpr double k_tolerance = 0.5;
 
 /// A point of a cloth: weights on up to three of its vertices.
 struct ClothPoint {
-    std::array<Index, 3> vertices{k_no_index, k_no_index, k_no_index}; ///< of the cloth
+    std::array<Index, 3> vertices{k_no_index, k_no_index, k_no_index}; ///< the cloth's own
     std::array<double, 3> weights{0.0, 0.0, 0.0};
 };
 
@@ -65,7 +64,7 @@ public:
     Builder(World& world, const AttachParams& params)
         : world_(world), params_(params), place_(fmt::format("attach '{}'", params.name)) {}
 
-    void build(const std::function<void(const std::string&)>& warn) {
+    void build(const Warn& warn) {
         attachment_ = {.name = params_.name,
                        .kind = params_.kind,
                        .start = params_.start,
@@ -91,7 +90,7 @@ private:
     }
     Index cloth_of(const AttachSide& side) const;
     void set_material();
-    void build_seam(const std::function<void(const std::string&)>& warn);
+    void build_seam(const Warn& warn);
     void build_buttons();
     ClothPoint button_point(std::size_t side, std::size_t number, const Vec3& near) const;
     void add_pair(const ClothPoint& a, const ClothPoint& b, double limit);
@@ -153,7 +152,7 @@ void Builder::add_pair(const ClothPoint& a, const ClothPoint& b, double limit) {
     }
 }
 
-void Builder::build_seam(const std::function<void(const std::string&)>& warn) {
+void Builder::build_seam(const Warn& warn) {
     const SeamChain a =
         build_seam_chain(cloth(0), params_.a, params_.radius, place_ + ".a", positions(0));
     const SeamChain b =
@@ -222,9 +221,7 @@ ClothPoint Builder::button_point(std::size_t side, std::size_t number, const Vec
 
 } // namespace
 
-void build_attachments(World& world,
-                       std::span<const AttachParams> params,
-                       const std::function<void(const std::string&)>& warn) {
+void build_attachments(World& world, std::span<const AttachParams> params, const Warn& warn) {
     for (const AttachParams& attach : params) {
         Builder(world, attach).build(warn);
     }

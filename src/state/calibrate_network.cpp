@@ -21,16 +21,13 @@ constexpr int k_fit_steps = 300;
 /// avoided at the cost of the shear stiffness: 57 % of it on triangles with a right angle.
 constexpr double k_coupling_weight = 0.1;
 
-/// Least K of an edge as a share of the mean of its cell: all of a network holds together.
-constexpr double k_least_share = 1e-3;
+/// Least K of an edge as a fraction of its cell's mean, so that no part of a network comes loose.
+constexpr double k_least_fraction = 1e-3;
 
 Stiffness fabric_stiffness(const FabricParams& fabric) {
-    const double e1 = fabric.stretch_stiffness[0];
-    const double e2 = fabric.stretch_stiffness[1];
-    const double inverse = 1.0 / (1.0 - fabric.poisson * fabric.poisson);
-    const double c12 = fabric.poisson * std::sqrt(e1 * e2) * inverse;
+    const MembraneStiffness c = membrane_stiffness(fabric);
     Stiffness C;
-    C << e1 * inverse, c12, 0.0, c12, e2 * inverse, 0.0, 0.0, 0.0, 2.0 * fabric.shear_stiffness;
+    C << c.c11, c.c12, 0.0, c.c12, c.c22, 0.0, 0.0, 0.0, 2.0 * c.c33;
     return C;
 }
 
@@ -50,7 +47,7 @@ Stiffness edge_stiffness(const Vec2& edge) {
 /// A part of the cloth that is strained as one, and its edges.
 struct Cell {
     double area = 0.0;
-    std::vector<std::size_t> edges; ///< of the network
+    std::vector<std::size_t> edges; ///< indices into the network
     std::vector<Vec2> along;        ///< each of them at rest, weft and warp, m
 };
 
@@ -149,7 +146,7 @@ Stiffness weighted(Stiffness C) {
 /// gradient steps from equal ones, so that edges alike get alike.
 std::vector<double> fit(const Cell& cell, const Stiffness& target) {
     std::vector<Stiffness> parts;
-    double greatest = 0.0; // of the curvature, bounded by its trace
+    double greatest = 0.0; // bound of the curvature: its trace
     double along = 0.0;
     for (const Vec2& edge : cell.along) {
         parts.push_back(weighted(edge_stiffness(edge)));
@@ -165,7 +162,7 @@ std::vector<double> fit(const Cell& cell, const Stiffness& target) {
         }
         for (std::size_t e = 0; e < K.size(); ++e) {
             K[e] -= miss.cwiseProduct(parts[e]).sum() / greatest;
-            K[e] = std::max(K[e], k_least_share * mean);
+            K[e] = std::max(K[e], k_least_fraction * mean);
         }
     }
     return K;

@@ -4,8 +4,8 @@
 
 namespace weft {
 
-/// Gives sides and diagonals the K with which the network, strained a little, comes nearest to the
-/// membrane of the cloth's fabric, so that the same fabric is as stiff on any mesh.
+/// Sets K of sides and diagonals so that the network's response to small strains is nearest to that
+/// of the membrane of the cloth's fabric: the same fabric is then equally stiff on any mesh.
 ///
 /// A cell, a triangle or a quad with both its diagonals, strained as a whole, resists like plane
 /// stress with C = sum of K_e L_e^2 m_e m_e^T / A, m = (n1^2, n2^2, n1 n2) along the edge; its K,
@@ -18,14 +18,14 @@ namespace weft {
 /// Bending edges stay as they are.
 void calibrate_network(const Cloth& cloth, std::span<const Index> polygons, EdgeNetwork& network);
 
-/// How a network resists small strains that are the same everywhere, and how the fabric does.
+/// Moduli of a network or a fabric for small uniform strains.
 struct NetworkModuli {
     Vec2 stretch{0.0, 0.0}; ///< Young's moduli (times thickness) along weft and warp, N/m
     double shear = 0.0;     ///< N/m
 };
 
-/// Of the sides and diagonals of a cloth's network as a whole: the mean over its area. It is what a
-/// regular mesh has; of an irregular one it is an upper bound, as its vertices may give way.
+/// Moduli of the sides and diagonals of a cloth's network, averaged over its area. They are exact
+/// for a regular mesh and an upper bound for an irregular one, whose vertices may give way.
 NetworkModuli network_moduli(const Cloth& cloth);
 
 /// `stretch 2.1 % (weft), -0.5 % (warp), shear -12 %`: a calibrated network against its fabric.

@@ -4,15 +4,15 @@
 #include "scene/params.h"
 #include "state/edge_network.h"
 #include "state/refinement.h"
-#include "state/rest_triangle.h"
+#include "state/rest_shape.h"
 
 #include <string>
 #include <vector>
 
 namespace weft {
 
-/// One cloth: its topology and rest shape. Positions and velocities stand in World; vertex i here
-/// is World vertex first_vertex + i, and all indices below are of this cloth alone.
+/// One cloth: its topology and rest shape. World holds its positions and velocities: vertex i is
+/// World vertex first_vertex + i. All other indices count within this cloth.
 struct Cloth {
     std::string name;
     ClothParams params;
@@ -22,13 +22,23 @@ struct Cloth {
     EdgeTopology topology;
     std::vector<RestTriangle> rest; ///< #triangles
     std::vector<Vec2>
-        material_positions;         ///< #vertices, u, m: for output (a seam vertex has its first)
+        material_positions; ///< #vertices, u, m, for output; a vertex on a seam has its first
     std::vector<double> rest_areas; ///< #vertices, mixed Voronoi area of the rest shape, m^2
-    Refinement refinement;          ///< empty where the mesh does not adapt
-    EdgeNetwork network;            ///< of edge models; else empty
+    Refinement refinement;          ///< empty when the mesh does not adapt
+    EdgeNetwork network;            ///< empty when the model is not an edge model
 };
 
-/// Level of refinement of a triangle: 0 as imported, each higher one a third as large.
+/// Plane-stress moduli of a fabric, N/m: C = [[c11, c12, 0], [c12, c22, 0], [0, 0, c33]], positive
+/// definite.
+struct MembraneStiffness {
+    double c11, c12, c22, c33;
+};
+
+/// C from Young's moduli (times thickness) along weft and warp, shear modulus and
+/// poisson = sqrt(nu12 nu21); E1 nu21 = E2 nu12 makes it symmetric.
+MembraneStiffness membrane_stiffness(const FabricParams& fabric);
+
+/// Refinement level of a triangle: 0 as imported; each level has a third of the area of the last.
 inline int triangle_level(const Cloth& cloth, Index t) {
     return cloth.refinement.empty()
                ? 0

@@ -12,16 +12,16 @@
 
 namespace weft {
 
-/// How the vertices of a deforming obstacle stand in its own frame: a function of time alone, so
-/// that a run that was stopped and resumed sees the same bits. The last answers are kept, as the
-/// start and the end of a substep are asked for by several.
+/// The vertex positions of a deforming obstacle in its own frame: a function of time alone, so that
+/// a run that was stopped and resumed sees the same bits. The last results are kept, as several
+/// callers ask for the start and the end of a substep.
 class Deformation {
 public:
     using Positions = std::shared_ptr<const std::vector<Vec3>>;
     /// Writes the positions (#V, m) at time t (s); must depend on nothing else.
     using Evaluate = std::function<void(double t, std::span<Vec3> positions)>;
 
-    /// @param fingerprint  differs where the motion differs: of the files' content
+    /// @param fingerprint  hash of the files' content: differs where the motion differs
     Deformation(std::size_t vertices, std::uint64_t fingerprint, Evaluate evaluate);
 
     /// Positions at time t. May be called from several threads.

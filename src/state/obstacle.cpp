@@ -1,6 +1,7 @@
 #include "state/obstacle.h"
 
 #include "base/parallel.h"
+#include "state/deformation.h"
 
 #include <cassert>
 

@@ -2,16 +2,17 @@
 
 #include "geometry/triangle_mesh.h"
 #include "scene/pose.h"
-#include "state/deformation.h"
 
 #include <memory>
 #include <string>
 
 namespace weft {
 
+class Deformation;
+
 /// A scripted body that cloth must not enter: a mesh, how it deforms, and the rigid motion on top.
 ///
-/// Vertex i is at time t in pose_at(motion, t) applied about `origin` to its place in the
+/// At time t vertex i is at pose_at(motion, t), applied about `origin` to its place in the
 /// obstacle's own frame: mesh.positions[i], or deformation->at(t)[i] when there is one.
 struct Obstacle {
     std::string name;
@@ -22,7 +23,7 @@ struct Obstacle {
     std::shared_ptr<const Deformation> deformation; ///< null: rigid
 };
 
-/// Whether it changes its shape; else its motion is obstacle_pose() alone.
+/// Whether it changes its shape; if not, obstacle_pose() is its whole motion.
 inline bool deforms(const Obstacle& obstacle) {
     return obstacle.deformation != nullptr;
 }
@@ -32,9 +33,10 @@ Pose obstacle_pose(const Obstacle& obstacle, double t);
 
 /// Positions of all vertices in the obstacle's own frame at time t, #V; valid while the obstacle
 /// is.
-Deformation::Positions obstacle_shape(const Obstacle& obstacle, double t);
+std::shared_ptr<const std::vector<Vec3>> obstacle_shape(const Obstacle& obstacle, double t);
 
-/// World positions of all vertices at time t, #V long: the one answer to where an obstacle is.
+/// World positions of all vertices at time t, #V long; everything that asks where an obstacle is
+/// calls this.
 /// During a substep vertices move on the straight line between those at its start and its end.
 void obstacle_positions(const Obstacle& obstacle, double t, std::span<Vec3> positions);
 

@@ -8,41 +8,43 @@
 
 namespace weft {
 
-/// How fine a triangle is. Even generation 2k: level k, a third as large as level k - 1. Odd 2k +
-/// 1: cut off a triangle of generation 2k and not flipped yet; corner 0 is the vertex that was put
-/// in (its apex), the edge opposite is its mate edge, the triangle across that its mate.
+/// The refinement state of a triangle. A triangle of even generation 2k has level k and a third of
+/// the area of level k - 1. One of odd generation 2k + 1 was cut off a triangle of generation 2k
+/// and is not flipped yet: corner 0 is the inserted vertex (its apex), the edge opposite is its
+/// mate edge, and the triangle across that edge its mate.
 struct TriangleLevel {
     std::int32_t generation = 0;
-    /// Which part of what was cut this slot took, two bits for each odd generation up to its own.
-    /// 0: the part that stays in the slot of what was cut.
+    /// Which part of the cut triangle this slot took, two bits for each odd generation up to its
+    /// own. Part 0 stays in the slot of the cut triangle.
     std::uint32_t parts = 0;
 };
 
-/// Where a vertex was put in.
+/// Where refinement inserted a vertex.
 enum class Insertion : std::int32_t {
     Centre,    ///< the barycentre of a triangle
     EdgeFirst, ///< the third of an edge nearer to the edge's first end
     EdgeLast,  ///< the third nearer to its other end; both always come and go together
 };
 
-/// A vertex that refinement put in, with what its removal needs. No entry but `partner` names a
-/// vertex that may be renumbered.
+/// A vertex that refinement inserted, with the data that its removal needs. Only `partner` names a
+/// vertex that may be renumbered. Checkpoints store it byte by byte; `unused` is where the compiler
+/// would pad.
 struct InsertedVertex {
     /// Rest shape of the triangle that was cut for it: inverse_edges by columns, area. Of a pair on
     /// an edge the first keeps that on side 0 of the edge, the last that on side 1 (zeros: no
     /// triangle).
     std::array<double, 5> parent_rest{};
-    std::int32_t generation = 0; ///< odd: of the triangles that it was put in with
+    std::int32_t generation = 0; ///< odd: generation of the triangles that it was inserted with
     Insertion insertion = Insertion::Centre;
-    Index partner = k_no_index; ///< on edges: the other vertex of the pair
+    Index partner = k_no_index; ///< the other vertex of a pair on an edge
     Index anchor = k_no_index;  ///< an imported vertex that it descends from
-    Index born = 0;             ///< the adaptation that put it in, as its caller counts
-    std::int32_t unused = 0;    ///< no padding: the record is stored byte by byte
+    Index born = 0;             ///< number of the adaptation that inserted it
+    std::int32_t unused = 0;
 };
 
-/// What a cloth knows of its refinement beyond its present mesh. Imported vertices, triangles and
-/// edges come first in their arrays and keep their numbers: a slot of theirs always holds them or
-/// what became of them, and gets them back bit for bit when all vertices put in are removed.
+/// The refinement history of a cloth's mesh. Imported vertices, triangles and edges come first in
+/// their arrays and keep their numbers: such a slot always holds the imported element or what it
+/// was cut into, and gets it back bit for bit when all inserted vertices are removed.
 struct Refinement {
     Index base_vertices = 0; ///< imported; 0: the cloth is not adaptive, and all below is empty
     Index base_triangles = 0;
@@ -55,7 +57,7 @@ struct Refinement {
 
     std::vector<Vec3> start; ///< #vertices: where each was, or would have been, at t = 0, m
     Index adaptations = 0;   ///< done so far
-    double tolerance = 1.0;  ///< of coarseness; above 1 where the budget of triangles is short
+    double tolerance = 1.0;  ///< bound on coarseness; above 1 when the budget of triangles is short
 
     bool empty() const { return base_vertices == 0; }
     bool is_inserted(Index v) const { return v >= base_vertices; }
@@ -72,5 +74,21 @@ static_assert(std::is_trivially_copyable_v<TriangleLevel> && sizeof(TriangleLeve
 inline int level_of(std::int32_t generation) {
     return (generation + 1) / 2;
 }
+
+/// What an adaptation changed in a cloth: the slots of its arrays whose content differs, ascending,
+/// each once, counted after the adaptation. Slots at or beyond the present sizes are gone.
+struct ClothChanges {
+    /// A vertex that is new or in another slot than before. All indices are the cloth's own.
+    struct Vertex {
+        Index slot;
+        Index from; ///< slot before the adaptation; k_no_index: it is new
+    };
+    std::vector<Vertex> vertices;
+    std::vector<Index> masses;    ///< vertices whose rest area changed, including those above
+    std::vector<Index> triangles; ///< triangles whose rest shape or corners changed
+    std::vector<Index> edges;     ///< edges whose ends, triangles or apexes changed
+
+    bool empty() const { return triangles.empty() && edges.empty() && vertices.empty(); }
+};
 
 } // namespace weft

@@ -1,9 +1,13 @@
 #include "state/rest_shape.h"
 
 #include "base/error.h"
+#include "geometry/mixed_areas.h"
+#include "state/cloth.h"
 
 #include <Eigen/LU>
 
+#include <algorithm>
+#include <cassert>
 #include <numbers>
 
 namespace weft {
@@ -115,12 +119,48 @@ void build_rest_shape(Cloth& cloth,
     cloth.material_positions = vertex_material_positions(cloth, positions, corner_uv);
 }
 
+std::vector<double> mixed_rest_areas(const Cloth& cloth) {
+    std::vector<double> areas(at(cloth.vertex_count), 0.0);
+    for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
+        const auto parts = mixed_corner_areas(rest_corners(cloth.rest[t]));
+        for (std::size_t k = 0; k < 3; ++k) {
+            areas[at(cloth.triangles[t][k])] += parts[k];
+        }
+    }
+    return areas;
+}
+
 double rest_area(const Cloth& cloth) {
     double area = 0.0;
     for (const RestTriangle& rest : cloth.rest) {
         area += rest.area;
     }
     return area;
+}
+
+std::array<Vec2, 3> rest_corners(const RestTriangle& rest) {
+    const Mat2& m = rest.inverse_edges;
+    const double det = m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0);
+    assert(det != 0.0);
+    return {Vec2::Zero(), Vec2(m(1, 1), -m(1, 0)) / det, Vec2(-m(0, 1), m(0, 0)) / det};
+}
+
+double rest_edge_length(const RestTriangle& rest, int k) {
+    const auto corners = rest_corners(rest);
+    return (corners[static_cast<std::size_t>((k + 2) % 3)] -
+            corners[static_cast<std::size_t>((k + 1) % 3)])
+        .norm();
+}
+
+double least_angle(const RestTriangle& rest) {
+    const auto corners = rest_corners(rest);
+    double least = std::numbers::pi / 3.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec2 a = corners[(k + 1) % 3] - corners[k];
+        const Vec2 b = corners[(k + 2) % 3] - corners[k];
+        least = std::min(least, std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+    }
+    return least;
 }
 
 } // namespace weft

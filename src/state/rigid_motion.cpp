@@ -52,18 +52,18 @@ RigidMotion motion_of(const FourPoints& positions, const FourPoints& velocities)
     RigidMotion motion{centre_of(velocities), Vec3::Zero()};
     const Vec3 centre = centre_of(positions);
     for (std::size_t i = 0; i < 4; ++i) {
-        motion.angular_rate +=
+        motion.specific_angular_momentum +=
             0.25 * (positions[i] - centre).cross(velocities[i] - motion.velocity);
     }
     return motion;
 }
 
-Vec3 turning_of(const FourPoints& positions, const RigidMotion& motion) {
-    return inertia_of(positions).ldlt().solve(motion.angular_rate);
+Vec3 angular_velocity(const FourPoints& positions, const RigidMotion& motion) {
+    return inertia_of(positions).ldlt().solve(motion.specific_angular_momentum);
 }
 
 FourPoints rigid_velocities(const FourPoints& positions, const RigidMotion& motion) {
-    const Vec3 turning = turning_of(positions, motion);
+    const Vec3 turning = angular_velocity(positions, motion);
     const Vec3 centre = centre_of(positions);
     FourPoints velocities;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -95,7 +95,7 @@ FourPoints particles_with(const Mat3& second_moments) {
 }
 
 /// w_i = 1/4 + X_i . D^-1 x / 4, where D, the mean of X_i X_i^T, has the rest's second moments.
-std::array<double, 4> carrying_weights(const FourPoints& rest, const Vec3& x) {
+std::array<double, 4> embedding_weights(const FourPoints& rest, const Vec3& x) {
     Mat3 moments = Mat3::Zero();
     for (const Vec3& X : rest) {
         moments += 0.25 * X * X.transpose();

@@ -9,15 +9,15 @@ namespace weft {
 
 namespace {
 
-/// Share of a segment by which a match may be moved to make it a vertex. Smaller: equal borders cut
-/// a little differently are tied crosswise; larger: the shares of the length are kept badly.
+/// Fraction of a segment by which a match may be moved to make it a vertex. Smaller: equal borders
+/// that are cut a little differently are tied crosswise; larger: fractions of the length differ.
 constexpr double k_snap = 0.1;
 
-/// Of two chains with as many vertices each, the greatest share of a segment by which their
-/// vertices may stand off and still be joined one by one.
+/// Chains with equally many vertices are joined one by one when these are apart by less than this
+/// fraction of a segment.
 constexpr double k_one_by_one = 0.5;
 
-/// Rest lengths of edges; of what is no edge, the distance at the start.
+/// Rest length between two vertices: of their edge, or the distance at the start without one.
 class EdgeLengths {
 public:
     EdgeLengths(const Cloth& cloth, std::span<const Vec3> positions) : positions_(positions) {
@@ -95,9 +95,9 @@ struct Border {
     }
 };
 
-/// The way along a loop from one place to another, forwards or backwards.
+/// The vertices of a loop from one place to another, forwards or backwards.
 std::vector<Index>
-way(const std::vector<Index>& loop, std::size_t from, std::size_t to, bool forwards) {
+path(const std::vector<Index>& loop, std::size_t from, std::size_t to, bool forwards) {
     std::vector<Index> vertices{loop[from]};
     const std::size_t step = forwards ? 1 : loop.size() - 1;
     for (std::size_t i = from; i != to;) {
@@ -133,8 +133,8 @@ SeamChain build_seam_chain(const Cloth& cloth,
         fail_input("{}: from and to: must be two vertices of one border, and are {}", place,
                    to.loop != from.loop ? "on two" : "the same vertex");
     }
-    SeamChain one = measured(way(loop, from.place, to.place, true), length);
-    SeamChain other = measured(way(loop, from.place, to.place, false), length);
+    SeamChain one = measured(path(loop, from.place, to.place, true), length);
+    SeamChain other = measured(path(loop, from.place, to.place, false), length);
     if (side.via) {
         const Border::Spot via = find(*side.via, ".via");
         const Index v = border.loops[via.loop][via.place];
@@ -151,7 +151,7 @@ SeamChain build_seam_chain(const Cloth& cloth,
 std::vector<SeamMatch> match_chains(const SeamChain& fine, const SeamChain& coarse) {
     const double scale = coarse.length() / fine.length();
     std::vector<SeamMatch> matches;
-    double furthest = 0.0; // of the vertices with the same number, in segments
+    double furthest = 0.0; // between vertices with the same number, in segments
     for (std::size_t i = 0; i < fine.along.size(); ++i) {
         const double place = std::min(scale * fine.along[i], coarse.length());
         const auto above =

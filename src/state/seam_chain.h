@@ -6,10 +6,10 @@
 
 namespace weft {
 
-/// One side of a seam: vertices in order, and how far along each stands at rest.
+/// One side of a seam: its vertices in order and their arc lengths at rest.
 struct SeamChain {
-    std::vector<Index> vertices; ///< of the cloth
-    std::vector<double> along;   ///< #vertices, m at rest, from 0
+    std::vector<Index> vertices; ///< the cloth's own indices
+    std::vector<double> along;   ///< #vertices, arc length from the first, m
 
     double length() const { return along.back(); }
 };
@@ -19,7 +19,7 @@ struct SeamChain {
 /// with `place`: an index out of range, a place further than `radius` from the border, ends that no
 /// border joins.
 ///
-/// @param positions of the cloth's vertices at t = 0
+/// @param positions  positions of the cloth's vertices at t = 0, m
 SeamChain build_seam_chain(const Cloth& cloth,
                            const AttachSide& side,
                            double radius,
@@ -28,14 +28,15 @@ SeamChain build_seam_chain(const Cloth& cloth,
 
 /// A vertex of one chain and its point on the other.
 struct SeamMatch {
-    std::size_t vertex;  ///< place in the finer chain
-    std::size_t segment; ///< place in the coarser chain of the segment's first vertex
-    double weight;       ///< of the segment's second vertex, [0, 1]
+    std::size_t vertex;  ///< index into the finer chain
+    std::size_t segment; ///< index into the coarser chain of the segment's first vertex
+    double weight;       ///< weight of the segment's second vertex, [0, 1]
 };
 
-/// For each vertex of `fine` the point of `coarse` at the same share of the length, for both are to
-/// become one line: a vertex itself where that is near, so that equal chains join vertex by vertex.
-/// Only the finer one is tied; tying both would hold the seam straight.
+/// For each vertex of `fine` the point of `coarse` at the same fraction of the length, as both are
+/// to become one line. Where a vertex of `coarse` is near, the point is that vertex, so that equal
+/// chains join vertex by vertex. Only the finer one is tied; tying both would hold the seam
+/// straight.
 std::vector<SeamMatch> match_chains(const SeamChain& fine, const SeamChain& coarse);
 
 } // namespace weft

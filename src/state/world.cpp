@@ -1,8 +1,12 @@
 #include "state/world.h"
 
+#include "base/debug_build.h"
 #include "base/hash.h"
 
 #include <fmt/core.h>
+
+#include <cassert>
+#include <cstdio>
 
 namespace weft {
 
@@ -36,6 +40,32 @@ std::string check_cloth(const World& world, const Cloth& cloth) {
     return "";
 }
 
+/// Faults of the indices that bodies, pins and attached pairs have.
+std::string check_indices(const World& world) {
+    const auto count = static_cast<Index>(world.vertex_count());
+    std::string problem;
+    for_each_body(world, [&](const Body& body) {
+        if (body.first_vertex < 0 || body.first_vertex + body.vertex_count > count ||
+            body.first_particle < 0 || body.first_particle + body.particle_count > count) {
+            problem = fmt::format("body '{}' reaches past the world's vertices", body.name);
+        }
+    });
+    for (std::size_t i = 0; i < world.pins.size() && problem.empty(); ++i) {
+        const Index v = world.pins[i].vertex;
+        if (v < 0 || v >= count) {
+            problem = fmt::format("pin {} has vertex {}", i, v);
+        }
+    }
+    for (std::size_t i = 0; i < world.attached_pairs.size() && problem.empty(); ++i) {
+        for (const Index v : world.attached_pairs[i].vertices) {
+            if (v < k_no_index || v >= count) {
+                problem = fmt::format("attached pair {} has vertex {}", i, v);
+            }
+        }
+    }
+    return problem;
+}
+
 void add_vectors(Hash& hash, const std::vector<Vec3>& values) {
     static_assert(sizeof(Vec3) == 3 * sizeof(double));
     hash.add(std::span<const Vec3>(values));
@@ -63,8 +93,17 @@ std::span<const Vec3> World::velocities_of(const Cloth& cloth) const {
                  static_cast<std::size_t>(cloth.vertex_count));
 }
 
-void carry(const World& world, std::span<Vec3> values) {
-    for_each_body(world, [&](const Body& body) { carry(body, values); });
+void interpolate_embedded(const World& world, std::span<Vec3> values) {
+    for_each_body(world, [&](const Body& body) { interpolate_embedded(body, values); });
+}
+
+void extend_history(World& world) {
+    const auto extend = [](std::vector<Vec3>& previous, const std::vector<Vec3>& present) {
+        previous.insert(previous.end(), present.begin() + static_cast<long>(previous.size()),
+                        present.end());
+    };
+    extend(world.previous_positions, world.positions);
+    extend(world.previous_velocities, world.velocities);
 }
 
 std::vector<Index> adaptations_of(const World& world) {
@@ -81,12 +120,15 @@ std::string check(const World& world) {
         world.previous_positions.size() != count || world.previous_velocities.size() != count) {
         return "arrays of vertices have unequal lengths";
     }
-    std::vector<char> is_carried(count, 0);
+    if (auto problem = check_indices(world); !problem.empty()) {
+        return problem;
+    }
+    std::vector<char> is_embedded(count, 0);
     for_each_body(world, [&](const Body& body) {
-        std::fill_n(is_carried.begin() + body.first_vertex, body.vertex_count, 1);
+        std::fill_n(is_embedded.begin() + body.first_vertex, body.vertex_count, 1);
     });
     for (std::size_t i = 0; i < count; ++i) {
-        if (is_carried[i] != 0 ? world.masses[i] != 0.0 : !(world.masses[i] > 0.0)) {
+        if (is_embedded[i] != 0 ? world.masses[i] != 0.0 : !(world.masses[i] > 0.0)) {
             return fmt::format("mass of vertex {} is {}", i, world.masses[i]);
         }
     }
@@ -102,6 +144,48 @@ std::string check(const World& world) {
         return problem;
     }
     return check_finite(world.velocities, "velocity");
+}
+
+void assert_valid(const World& world) {
+    if constexpr (k_is_debug_build) {
+        const std::string fault = check(world);
+        if (!fault.empty()) {
+            fmt::print(stderr, "{}\n", fault);
+        }
+        assert(fault.empty());
+    }
+}
+
+Vec3 linear_momentum(const World& world) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
+        sum += world.masses[i] * world.velocities[i];
+    }
+    return sum;
+}
+
+Vec3 angular_momentum(const World& world) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
+        sum += world.masses[i] * world.positions[i].cross(world.velocities[i]);
+    }
+    return sum;
+}
+
+double speed_sum(const World& world) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
+        sum += world.masses[i] * world.velocities[i].norm();
+    }
+    return sum;
+}
+
+double kinetic_energy(const World& world) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
+        sum += 0.5 * world.masses[i] * world.velocities[i].squaredNorm();
+    }
+    return sum;
 }
 
 std::uint64_t state_hash(const World& world) {

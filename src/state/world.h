@@ -1,6 +1,5 @@
 #pragma once
 
-#include "scene/scene.h"
 #include "state/attachment.h"
 #include "state/body.h"
 #include "state/cloth.h"
@@ -9,24 +8,23 @@
 #include "state/pin.h"
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace weft {
 
-/// Everything that changes in time, and what the next substep depends on: two Worlds with the same
-/// content continue to the same bits. The vertices of all that moves by forces stand in the arrays
-/// one object after the other: cloths, solids, rigid bodies. Those that a body's particles carry
-/// (body.h) have no mass and are where these put them.
+/// Everything that changes in time and that the next substep depends on: two Worlds with the same
+/// content continue to the same bits. The arrays hold the vertices of all objects that forces move,
+/// one object after the other: cloths, solids, rigid bodies. Embedded vertices (body.h) have no
+/// mass; their particles determine where they are.
 struct World {
     double time = 0.0; ///< s
-    int frame = 1;     ///< the frame that the state stands at: frame n is t = (n-1)/fps
+    int frame = 1;     ///< number of the present frame; frame n is at t = (n-1)/fps
 
     std::vector<Vec3> positions;  ///< #V, m
     std::vector<Vec3> velocities; ///< #V, m/s
-    std::vector<double> masses;   ///< #V, kg, > 0; 0 of carried vertices
+    std::vector<double> masses;   ///< #V, kg, > 0; 0 for embedded vertices
 
     /// State one substep ago for BDF2; valid for vertex i while history_dt > 0 and its entry is
     /// finite.
@@ -63,21 +61,30 @@ template <typename F> void for_each_body(const World& world, const F& f) {
     }
 }
 
-/// Sets what stands for carried vertices in `values` (#V: positions, velocities) to what their
-/// particles' values make of it.
-void carry(const World& world, std::span<Vec3> values);
+/// Sets the values of all embedded vertices from those of their particles. `values` is #V long:
+/// positions or velocities.
+void interpolate_embedded(const World& world, std::span<Vec3> values);
 
-/// How often the mesh of each cloth has been adapted: other numbers, perhaps another mesh.
+/// Extends previous_positions and previous_velocities to vertices that were appended at t = 0.
+void extend_history(World& world);
+
+/// How often the mesh of each cloth has been adapted; where a number differs the mesh may, too.
 std::vector<Index> adaptations_of(const World& world);
 
-/// What is wrong with a world (sizes, indices, values not finite), or "". For asserts and tests.
+/// The first fault in a world (sizes, indices, values that are not finite), or "".
 std::string check(const World& world);
+
+/// Asserts check(world) == "" in debug builds; does nothing in release builds.
+void assert_valid(const World& world);
+
+/// Sums over all vertices: m v, kg m/s; m x cross v about the origin, kg m^2/s; m |v|, to which the
+/// rounding of the first two is relative; m v^2 / 2, J.
+Vec3 linear_momentum(const World& world);
+Vec3 angular_momentum(const World& world);
+double speed_sum(const World& world);
+double kinetic_energy(const World& world);
 
 /// FNV-1a of time, positions, velocities and history: equal for equal states.
 std::uint64_t state_hash(const World& world);
-
-/// Loads meshes, builds rest shapes, masses, obstacles and pins. `warn` receives one line each.
-/// Throws Error (BadInput) naming the object and key.
-World build_world(const Scene& scene, const std::function<void(const std::string&)>& warn);
 
 } // namespace weft

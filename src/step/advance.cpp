@@ -6,7 +6,7 @@
 #include "collide/contact_solver.h"
 #include "collide/crossings.h"
 #include "collide/friction_history.h"
-#include "state/update_attachments.h"
+#include "state/attachment.h"
 #include "step/constrained_vertices.h"
 #include "step/implicit_step.h"
 #include "step/recovery.h"
@@ -167,6 +167,7 @@ bool Stepper::Impl::substep(World& world, double dt, bool accept_unresolved, Fra
     // 6. final positions and velocities
     finish(world, dt);
     update_attachments(world, world.time + dt);
+    assert_valid(world);
     verify(world, world.time + dt, report);
     return true;
 }
@@ -187,6 +188,7 @@ void Stepper::Impl::adapt(World& world, double time, FrameReport& report) {
         implicit->remesh(world, changes);
     }
     solver.remesh(world, start_positions.of(world));
+    assert_valid(world);
     verify(world, time, report);
 }
 
@@ -268,8 +270,8 @@ void Stepper::Impl::finish(World& world, double dt) {
         }
     });
     conserve_angular_momentum(world);
-    carry(world, world.positions);
-    carry(world, world.velocities);
+    interpolate_embedded(world, world.positions);
+    interpolate_embedded(world, world.velocities);
     if (two_step) {
         drop_history_of_new_contacts(world, dt);
     }

@@ -101,13 +101,13 @@ void ContactForces::add_terms(const Contact& contact) {
         if (v == k_no_index) {
             continue;
         }
-        const Carrier* carrier = carriers_.of(v);
-        if (carrier == nullptr) {
+        const Embedding* embedding = embeddings_.find(v);
+        if (embedding == nullptr) {
             terms_.push_back({v, contact.weights[i]});
             continue;
         }
-        for (std::size_t k = 0; k < 4 && carrier->particles[k] != k_no_index; ++k) {
-            add_term(first, carrier->particles[k], contact.weights[i] * carrier->weights[k]);
+        for (std::size_t k = 0; k < 4 && embedding->particles[k] != k_no_index; ++k) {
+            add_term(first, embedding->particles[k], contact.weights[i] * embedding->weights[k]);
         }
     }
     terms_begin_.push_back(terms_.size());

@@ -2,7 +2,7 @@
 
 #include "collide/contact.h"
 #include "collide/friction.h"
-#include "state/carrier_table.h"
+#include "state/world.h"
 
 #include "solver/block_matrix.h"
 
@@ -21,8 +21,8 @@ std::vector<double> contact_stiffness(const World& world);
 class ContactForces {
 public:
     /// @param stiffness  of the springs, by vertex, N/m: see contact_stiffness()
-    explicit ContactForces(std::vector<double> stiffness, CarrierTable carriers = {})
-        : stiffness_(std::move(stiffness)), carriers_(std::move(carriers)) {}
+    explicit ContactForces(std::vector<double> stiffness, EmbeddingTable embeddings = {})
+        : stiffness_(std::move(stiffness)), embeddings_(std::move(embeddings)) {}
 
     /// Begins a substep, before any contact is added.
     /// @param start #V, positions at the start, m; must stay until the substep's end
@@ -98,7 +98,7 @@ private:
     Vec3 relative(std::size_t contact, std::span<const Vec3> values) const;
 
     std::vector<double> stiffness_;
-    CarrierTable carriers_;
+    EmbeddingTable embeddings_;
     std::span<const Vec3> start_;
     double dt_ = 0.0;
     std::span<const Contact> contacts_;

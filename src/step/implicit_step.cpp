@@ -48,7 +48,7 @@ void ImplicitStep::remesh(const World& world, std::span<const ClothChanges> chan
 void ImplicitStep::resize(const World& world) {
     masses_ = world.masses;
     mass_damping_ = mass_damping(world);
-    contact_forces_ = ContactForces(contact_stiffness(world), make_carrier_table(world));
+    contact_forces_ = ContactForces(contact_stiffness(world), make_embedding_table(world));
     const BlockMatrix& pattern = forces_.assembler().pattern();
     matrix_.row_begin = pattern.row_begin;
     matrix_.column = pattern.column;
@@ -117,8 +117,8 @@ void ImplicitStep::finish(const World& world,
         project_rigids(world, end_positions, end_velocities);
         contact_forces_.report_slips(end_positions, contacts);
     }
-    carry(world, end_positions);
-    carry(world, end_velocities);
+    interpolate_embedded(world, end_positions);
+    interpolate_embedded(world, end_velocities);
     report.converged = report.converged && all_finite(end_positions) && all_finite(end_velocities);
 }
 

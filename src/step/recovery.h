@@ -1,6 +1,6 @@
 #pragma once
 
-#include "state/number_bodies.h"
+#include "state/world.h"
 
 /// The two ways back: to the start of a frame that was stopped, and out of a tangle.
 namespace weft {

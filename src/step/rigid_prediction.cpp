@@ -19,14 +19,14 @@ using Coefficients = Eigen::Vector4d; ///< a quaternion as x y z w
 /// dq/dt = turning q / 2 where the body at rotation q turns with its angular momentum.
 Coefficients rate(const FourPoints& rest, const RigidMotion& motion, const Coefficients& q) {
     const Mat3 R = Eigen::Quaterniond(q).normalized().toRotationMatrix();
-    const Vec3 turning = turning_of(posed(rest, {R, Vec3::Zero()}), motion);
+    const Vec3 turning = angular_velocity(posed(rest, {R, Vec3::Zero()}), motion);
     const Eigen::Quaterniond product =
         Eigen::Quaterniond(0.0, turning.x(), turning.y(), turning.z()) * Eigen::Quaterniond(q);
     return 0.5 * product.coeffs();
 }
 
 Mat3 turn_freely(const FourPoints& rest, const RigidMotion& motion, const Mat3& R, double dt) {
-    const double speed = turning_of(posed(rest, {R, Vec3::Zero()}), motion).norm();
+    const double speed = angular_velocity(posed(rest, {R, Vec3::Zero()}), motion).norm();
     const double pieces = std::clamp(std::ceil(speed * dt / k_piece), 1.0, k_most_pieces);
     const double h = dt / pieces;
     Coefficients q = Eigen::Quaterniond(R).coeffs();
@@ -49,7 +49,7 @@ RigidPrediction predict_rigid(const FourPoints& rest,
     Pose pose = nearest_pose(rest, positions);
     const RigidMotion motion = motion_of(positions, velocities);
     pose.translation += dt * motion.velocity;
-    if (!motion.angular_rate.isZero(0.0)) {
+    if (!motion.specific_angular_momentum.isZero(0.0)) {
         pose.rotation = turn_freely(rest, motion, pose.rotation, dt);
     }
     RigidPrediction prediction;

@@ -1,4 +1,5 @@
 #include "adapt/least_rest_angle.h"
+#include "state/build_world.h"
 #include "step/advance.h"
 
 #include <fmt/core.h>
@@ -18,11 +19,11 @@ namespace {
 
 constexpr double k_length = 0.5; ///< m
 constexpr double k_width = 0.1;  ///< m
-constexpr int k_cells = 10;      ///< along it, of the imported mesh; squares
+constexpr int k_cells = 10;      ///< square cells along the imported mesh
 constexpr int k_levels = 2;      ///< makes edges a third as long
 constexpr double k_fps = 50.0;   ///< 1/s: one sample a frame
 constexpr double k_swing = 0.05; ///< m, at the free end
-constexpr int k_frames = 140;    ///< more than two periods of either
+constexpr int k_frames = 140;    ///< more than two periods of either strip
 
 /// Least angle that refinement of right-angled isosceles triangles makes: atan(1/3).
 constexpr double k_degree = std::numbers::pi / 180.0;
@@ -30,17 +31,21 @@ const double k_angle_bound = std::atan(1.0 / 3.0) / k_degree;
 
 struct Strip {
     const char* name;
-    double gravity;   ///< along it, m/s^2
-    double clamp;     ///< of its length, m
+    double gravity;   ///< along the strip, m/s^2
+    double clamp;     ///< length of the clamped part, m
     double rigidity;  ///< N m
-    double curvature; ///< limit of its criterion
-    double omega;     ///< of its first mode, 1/s
+    double curvature; ///< limit of the refinement criterion
+    double omega;     ///< angular frequency of the first mode, 1/s
 };
 
 /// omega = j_01 / 2 sqrt(g / L).
 Strip hanging() {
-    return {
-        "hanging sheet", 9.81, 0.0, 1e-7, 0.002, 0.5 * 2.4048255577 * std::sqrt(9.81 / k_length)};
+    return {"hanging sheet",
+            k_earth_gravity,
+            0.0,
+            1e-7,
+            0.002,
+            0.5 * 2.4048255577 * std::sqrt(k_earth_gravity / k_length)};
 }
 
 /// omega = 1.8751^2 sqrt(D / (rho L^4)). The edges on the clamp's line bend like half a cell of the
@@ -78,7 +83,7 @@ Scene scene_of(const Strip& strip, bool is_adaptive) {
 /// What a strip did over the frames.
 struct Swing {
     double period = 0.0;      ///< s
-    double least_angle = 0.0; ///< of the rest shape, degrees
+    double least_angle = 0.0; ///< least angle of the rest shape, degrees
     std::size_t most = 0;     ///< triangles
     int refined = 0, coarsened = 0;
 };
@@ -87,7 +92,7 @@ Swing swing(const Strip& strip, bool is_adaptive) {
     const Scene scene = scene_of(strip, is_adaptive);
     World world = build_world(scene, [](const std::string&) {});
     const auto is_free = [&](const Vec3& x) { return x.x() > 0.5 * k_length - 1e-9; };
-    std::vector<std::size_t> end; // of the imported mesh, whose vertices keep their numbers
+    std::vector<std::size_t> end; // imported vertices, which keep their numbers
     for (std::size_t i = 0; i < world.vertex_count(); ++i) {
         const Vec3& x = world.positions[i];
         const double s = std::max(0.0, x.x() + 0.5 * k_length - strip.clamp);

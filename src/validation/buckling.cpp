@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 
-#include "validation/clamped_strip.h"
 #include "validation/experiments.h"
 #include "validation/sheet_world.h"
 #include "validation/statics.h"
@@ -21,9 +20,8 @@ namespace {
 
 constexpr double k_length = 0.2;           // m, from the clamp to the free end
 constexpr double k_rigidity = 1e-5;        // N m
-constexpr double k_gravity = 9.81;         // m/s^2
 constexpr double k_membrane_ratio = 1e6;   // E h L^2 / D; higher: strains drown in round-off
-constexpr double k_difference_step = 3e-5; // of a cell
+constexpr double k_difference_step = 3e-5; // fraction of a cell
 
 enum class Load { OwnWeightAlong, EndLoad, OwnWeightAcross };
 
@@ -50,9 +48,9 @@ double critical_load(const Case& c) {
     const Sheet& sheet = strip.sheet;
     const double unit = k_rigidity / (k_length * k_length); // N/m: of the end load
     ClothParams cloth;
-    cloth.fabric = isotropic_fabric(k_membrane_ratio * unit, 0.0);
+    cloth.fabric = isotropic_membrane(k_membrane_ratio * unit, 0.0);
     cloth.fabric.bend_stiffness = k_rigidity;
-    cloth.fabric.area_density = c.theory * unit / (k_length * k_gravity);
+    cloth.fabric.area_density = c.theory * unit / (k_length * k_earth_gravity);
     World world = sheet_world(sheet, cloth);
     const double step = k_difference_step * strip.cell;
     const Eigen::MatrixXd bending =
@@ -71,7 +69,7 @@ double critical_load(const Case& c) {
             load.add(v, Vec3(-(is_corner ? 0.5 : 1.0) * c.theory * unit * strip.cell, 0.0, 0.0));
         }
     } else {
-        scene.gravity[c.load == Load::OwnWeightAlong ? 0 : 1] = -k_gravity;
+        scene.gravity[c.load == Load::OwnWeightAlong ? 0 : 1] = -k_earth_gravity;
     }
     settle(world, scene, load, {.tolerance = 1e-7});
     const Eigen::MatrixXd change =

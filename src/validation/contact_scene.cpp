@@ -1,5 +1,7 @@
 #include "validation/contact_scene.h"
 
+#include "state/build_world.h"
+
 #include <fmt/core.h>
 
 #include <cassert>
@@ -12,10 +14,6 @@ namespace {
 constexpr std::array k_substeps{2, 4, 8};
 constexpr std::array k_meshes{SheetMesh{Pattern::OneDiagonal, 4}, SheetMesh{Pattern::UnionJack, 6},
                               SheetMesh{Pattern::Irregular, 8}};
-
-template <typename T> void append(std::vector<T>& to, const std::vector<T>& from) {
-    to.insert(to.end(), from.begin(), from.end());
-}
 
 Vec3 mean(std::span<const Vec3> values) {
     Vec3 sum = Vec3::Zero();
@@ -52,26 +50,9 @@ SceneParams contact_space(int substeps, double angle) {
     SceneParams params;
     params.fps = k_frame_rate;
     params.substeps = substeps;
-    params.gravity = k_gravity * Vec3(std::sin(angle), -std::cos(angle), 0.0);
+    params.gravity = k_earth_gravity * Vec3(std::sin(angle), -std::cos(angle), 0.0);
     params.air_density = 0.0;
     return params;
-}
-
-Cloth& add_cloth(World& world,
-                 const std::string& name,
-                 const Sheet& sheet,
-                 const ClothParams& params,
-                 const std::function<Vec3(const Vec2&)>& place) {
-    World one = sheet_world(sheet, params, place);
-    Cloth& cloth = one.cloths.front();
-    cloth.name = name;
-    cloth.first_vertex = static_cast<Index>(world.vertex_count());
-    append(world.positions, one.positions);
-    append(world.velocities, one.velocities);
-    append(world.masses, one.masses);
-    append(world.previous_positions, one.previous_positions);
-    append(world.previous_velocities, one.previous_velocities);
-    return world.cloths.emplace_back(std::move(cloth));
 }
 
 std::function<Vec3(const Vec2&)> lying(const Vec2& size, const Vec3& middle) {
@@ -81,13 +62,9 @@ std::function<Vec3(const Vec2&)> lying(const Vec2& size, const Vec3& middle) {
 }
 
 Obstacle& add_body(World& world, const std::string& name, TriangleMesh mesh, double friction) {
-    Obstacle obstacle;
-    obstacle.name = name;
-    obstacle.params.name = name;
-    obstacle.params.friction = friction;
-    obstacle.mesh = std::move(mesh);
-    obstacle.topology = build_edges(obstacle.mesh.triangles);
-    return world.obstacles.emplace_back(std::move(obstacle));
+    ObstacleParams params{.name = name};
+    params.friction = friction;
+    return add_obstacle(world, params, {.mesh = std::move(mesh)});
 }
 
 void hold(World& world,

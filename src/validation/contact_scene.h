@@ -30,18 +30,10 @@ std::vector<Repeat> few_repeats(bool thorough);
 /// "2 substeps; one diagonal 4 x 4".
 std::string name_of(const Repeat& repeat);
 
-inline constexpr double k_gravity = 9.81; ///< m/s^2
 inline constexpr double k_frame_rate = 25.0;
 
 /// No air; gravity leans forward to +x by `angle` (rad), as on an incline that falls towards +x.
 SceneParams contact_space(int substeps, double angle = 0.0);
-
-/// Appends a cloth whose rest shape is `sheet`, see sheet_world().
-Cloth& add_cloth(World& world,
-                 const std::string& name,
-                 const Sheet& sheet,
-                 const ClothParams& params,
-                 const std::function<Vec3(const Vec2&)>& place);
 
 /// A place function: flat, its middle at `middle`, x to x and y to -z.
 std::function<Vec3(const Vec2&)> lying(const Vec2& size, const Vec3& middle);

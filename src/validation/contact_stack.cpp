@@ -19,8 +19,8 @@ namespace {
 constexpr int k_sheets = 10;
 constexpr double k_side = 0.2;                   // m
 constexpr double k_thickness = 2e-3;             // m
-constexpr double k_start_gap = 1.3;              // of the thickness
-constexpr double k_turn_deg = 9.0;               // of each against the one below
+constexpr double k_start_gap = 1.3;              // gap at the start over the thickness
+constexpr double k_turn_deg = 9.0;               // angle of each sheet to the one below
 constexpr double k_inner = 0.08;                 // m from the axis: inside all of the squares
 constexpr double k_calm_from = 3.0, k_end = 5.0; // s
 
@@ -35,7 +35,7 @@ World stacked_sheets(const SheetMesh& mesh) {
     for (int k = 0; k < k_sheets; ++k) {
         const Mat3 turn = rotation_from_degrees(Vec3(0.0, k_turn_deg * k, 0.0));
         const Vec3 up(0.0, k_start_gap * k_thickness * (k + 1), 0.0);
-        add_cloth(world, fmt::format("sheet{}", k), sheet, params,
+        add_sheet(world, fmt::format("sheet{}", k), sheet, params,
                   [&](const Vec2& p) { return Vec3(turn * flat(p) + up); });
     }
     add_body(world, "floor", plane_mesh(Vec3(2.0, 0.0, 2.0)), 0.3);

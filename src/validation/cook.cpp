@@ -41,14 +41,14 @@ Sheet panel(int n, bool is_short) {
 double tip_deflection(int n, bool is_short) {
     const Sheet sheet = panel(n, is_short);
     ClothParams cloth;
-    cloth.fabric = isotropic_fabric(1.0, 1.0 / 3.0);
+    cloth.fabric = isotropic_membrane(1.0, 1.0 / 3.0);
     const World world = sheet_world(sheet, cloth);
     StaticLoad load(world.vertex_count());
     load.hold_all(2);
     for (Index j = 0; j <= n; ++j) {
         load.hold(j * (n + 1));
-        const double share = (j == 0 || j == n ? 0.5 : 1.0) / n;
-        load.add(j * (n + 1) + n, Vec3(0.0, share, 0.0));
+        const double weight = (j == 0 || j == n ? 0.5 : 1.0) / n;
+        load.add(j * (n + 1) + n, Vec3(0.0, weight, 0.0));
     }
     const Eigen::VectorXd u = linear_response(stiffness_matrix(world, empty_space()), load);
     return u[3 * ((n / 2) * (n + 1) + n) + 1];

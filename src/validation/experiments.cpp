@@ -101,10 +101,10 @@ ValidationRows run_experiments(std::string_view only,
         starts(experiment);
         const Stopwatch watch;
         ValidationRows rows = run(experiment, thorough);
-        const double share = watch.seconds() / static_cast<double>(rows.size());
+        const double mean = watch.seconds() / static_cast<double>(rows.size());
         for (ValidationRow& row : rows) {
             row.experiment = experiment.name;
-            row.seconds = row.seconds > 0.0 ? row.seconds : share;
+            row.seconds = row.seconds > 0.0 ? row.seconds : mean;
             all.push_back(std::move(row));
         }
     }

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "validation/row.h"
+#include "validation/table.h"
 
 /// The experiments of `weft validate`: each builds its world in code, moves or settles it with the
 /// same forces and integrators as a simulation, and compares with the mechanics of the textbook.

@@ -22,7 +22,7 @@ constexpr double k_strain = 0.01;    // at the start
 constexpr double k_friction = 0.3;
 constexpr double k_speed = 5e-3; // m/s, of both ends: inertia does not count
 constexpr int k_frames = 40;     // 8 mm: several times what the tensions need to part
-constexpr int k_measured = 10;   // of them, the last
+constexpr int k_measured = 10;   // the last of them are measured
 
 constexpr double k_bent_radius = k_radius + k_thickness;
 constexpr double k_arc = std::numbers::pi * k_bent_radius;
@@ -60,14 +60,14 @@ double pull_on(const World& world, std::span<const Index> vertices) {
 
 double tension_ratio(const Repeat& repeat) {
     ClothParams params;
-    params.fabric = isotropic_fabric(k_stiffness, 0.0);
+    params.fabric = isotropic_membrane(k_stiffness, 0.0);
     params.fabric.area_density = 0.2;
     params.fabric.bend_stiffness = 1e-6;
     params.fabric.thickness = k_thickness;
     params.fabric.friction = k_friction;
     const Sheet sheet = strip_sheet(repeat.mesh);
     World world;
-    const Cloth& cloth = add_cloth(world, "strip", sheet, params, [](const Vec2& p) {
+    const Cloth& cloth = add_sheet(world, "strip", sheet, params, [](const Vec2& p) {
         return around((1.0 + k_strain) * p.x() - k_length / 2.0, p.y() - k_width / 2.0);
     });
     add_body(world, "cylinder", cylinder_mesh(k_radius, 2.0 * k_width, 256), k_friction);

@@ -42,7 +42,7 @@ double lag_of(int substeps) {
     const double h = 1.0 / (k_frame_rate * substeps);
     double lag = 0.0;
     for (double speed = 0.0; speed < k_belt_speed;) {
-        speed = std::min(k_belt_speed, speed + h * k_belt_friction * k_gravity);
+        speed = std::min(k_belt_speed, speed + h * k_belt_friction * k_earth_gravity);
         lag += h * (k_belt_speed - speed);
     }
     return lag;
@@ -54,7 +54,7 @@ void add_belt_rows(ValidationRows& rows, const Repeat& repeat) {
     const auto [pattern, cells] = repeat.mesh;
     const Vec2 size(k_belt_sheet, k_belt_sheet);
     const Cloth& cloth =
-        add_cloth(world, "sheet", make_sheet(pattern, cells, cells, size.x(), size.y()),
+        add_sheet(world, "sheet", make_sheet(pattern, cells, cells, size.x(), size.y()),
                   carried_cloth(k_belt_friction), lying(size, Vec3(0.03, k_thickness, 0.02)));
     Obstacle& belt = add_body(world, "belt", plane_mesh(Vec3(20.0, 0.0, 20.0)), k_belt_friction);
     belt.params.motion = {{}, {.t = 10.0, .translate = 10.0 * k_belt_speed * Vec3::UnitX()}};
@@ -106,7 +106,7 @@ void add_sphere_rows(ValidationRows& rows, const Repeat& repeat) {
     const int cells = 2 * mesh_cells;
     const Vec2 size(k_cloth, k_cloth);
     const Cloth& cloth =
-        add_cloth(world, "cloth", make_sheet(pattern, cells, cells, size.x(), size.y()),
+        add_sheet(world, "cloth", make_sheet(pattern, cells, cells, size.x(), size.y()),
                   carried_cloth(0.5), lying(size, Vec3(0.0, k_radius + k_thickness, 0.0)));
     Obstacle& sphere = add_body(world, "sphere", sphere_mesh(k_radius), 0.5);
     const double degrees = 2.0 * k_turn * 180.0 / std::numbers::pi;

@@ -51,7 +51,7 @@ void add_ground(World& world, const Incline& incline) {
     const Vec2 size(3.0, 0.4);
     const Sheet sheet = make_sheet(Pattern::Irregular, 30, 4, size.x(), size.y());
     const Cloth& cloth =
-        add_cloth(world, "held", sheet, cloth_of(incline), lying(size, Vec3(1.0, 0.0, 0.0)));
+        add_sheet(world, "held", sheet, cloth_of(incline), lying(size, Vec3(1.0, 0.0, 0.0)));
     hold(world, cloth, vertices_where(sheet, [](const Vec2&) { return true; }));
 }
 
@@ -60,7 +60,7 @@ Slide slide_for_a_second(const Incline& incline, const Repeat& repeat) {
     ClothParams params = cloth_of(incline);
     params.velocity.x() = incline.push;
     const auto [pattern, cells] = repeat.mesh;
-    add_cloth(world, "sheet", make_sheet(pattern, cells, cells, k_side, k_side), params,
+    add_sheet(world, "sheet", make_sheet(pattern, cells, cells, k_side, k_side), params,
               lying(Vec2(k_side, k_side), Vec3(0.03, k_thickness, 0.02)));
     add_ground(world, incline);
     const Vec3 start = mean_position(world, world.cloths[0]);
@@ -73,7 +73,7 @@ Slide slide_for_a_second(const Incline& incline, const Repeat& repeat) {
 }
 
 double acceleration(const Incline& incline) {
-    return k_gravity * (std::sin(incline.angle) - incline.kinetic * std::cos(incline.angle));
+    return k_earth_gravity * (std::sin(incline.angle) - incline.kinetic * std::cos(incline.angle));
 }
 
 /// What implicit Euler makes of a constant acceleration: h^2 n (n + 1) / 2 a.

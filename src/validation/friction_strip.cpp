@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "validation/clamped_strip.h"
 #include "validation/contact_scene.h"
 #include "validation/experiments.h"
+#include "validation/sheet_world.h"
 
 /// A strip clamped upright above a rough plane that its lower edge stands on. Its clamp is lowered
 /// slowly; the strip bows, and its foot slips once the elastica asks for more friction than there
@@ -19,12 +19,12 @@ namespace {
 constexpr double k_length = 0.2;       // m
 constexpr double k_width = 0.02;       // m
 constexpr double k_thickness = 0.5e-3; // m
-constexpr double k_bow = 0.17;         // of the shape below, a share of the length
+constexpr double k_bow = 0.17;         // depth of the shape below over the length
 constexpr double k_start = 0.5 * k_bow * k_bow * 12.0 / 35.0; // shortening that this bow means
 constexpr double k_end = 0.35;
 constexpr int k_frames = 100;        // 4 s: slow against the strip's period of 0.1 s
 constexpr double k_reference = 0.05; // shortening from which slip counts: the start has settled
-constexpr double k_slip = 0.001;     // of the length
+constexpr double k_slip = 0.001;     // distance that counts as slip, over the length
 
 /// Sideways place and its slope of a strip that starts bowed, u from clamp to foot: the shape of a
 /// beam clamped there and hinged here.
@@ -48,7 +48,7 @@ double below(double u) {
 
 ClothParams strip_cloth(double friction) {
     ClothParams params;
-    params.fabric = isotropic_fabric(2000.0, 0.0);
+    params.fabric = isotropic_membrane(2000.0, 0.0);
     params.fabric.area_density = 0.05;
     params.fabric.bend_stiffness = 1e-3;
     params.fabric.thickness = k_thickness;
@@ -57,7 +57,7 @@ ClothParams strip_cloth(double friction) {
     return params;
 }
 
-/// Shortening, as a share of the length, at which the foot begins to slip.
+/// Shortening, as a fraction of the length, at which the foot begins to slip.
 double slip_onset(double friction, const Repeat& repeat) {
     const int cells = 5 * repeat.mesh.cells;
     const ClampedStrip strip(repeat.mesh.pattern, cells,
@@ -65,7 +65,7 @@ double slip_onset(double friction, const Repeat& repeat) {
     World world;
     const double top = k_thickness + below(1.0) * k_length;
     const Cloth& cloth =
-        add_cloth(world, "strip", strip.sheet, strip_cloth(friction), [&](const Vec2& p) {
+        add_sheet(world, "strip", strip.sheet, strip_cloth(friction), [&](const Vec2& p) {
             const double u = (p.x() + strip.cell / 2.0) / k_length;
             return Vec3(p.x() > 1e-9 ? k_length * bow(u) : 0.0, top - k_length * below(u), p.y());
         });

@@ -8,7 +8,6 @@
 #include "validation/experiments.h"
 #include "validation/sheet_world.h"
 #include "validation/statics.h"
-#include "validation/uniaxial.h"
 
 /// Why triangles and not springs: the same tensile test on three patterns of mesh. The triangles
 /// return the modulus that they were given; a net of equal springs returns one of its own for each
@@ -49,7 +48,7 @@ Eigen::SparseMatrix<double> spring_net(const Sheet& sheet) {
 
 Eigen::SparseMatrix<double> triangles(const Sheet& sheet) {
     ClothParams cloth;
-    cloth.fabric = isotropic_fabric(1.0, 0.3);
+    cloth.fabric = isotropic_membrane(1.0, 0.3);
     return stiffness_matrix(sheet_world(sheet, cloth), empty_space());
 }
 
@@ -73,7 +72,7 @@ double drop(const Sheet& sheet, int n, const Eigen::SparseMatrix<double>& stiffn
     return -linear_response(stiffness, load)[3 * (n / 2) + 1];
 }
 
-/// Greatest minus least over the patterns, in shares of their mean.
+/// Greatest minus least over the patterns, as a fraction of their mean.
 double spread(const std::array<double, k_patterns.size()>& values) {
     const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
     return (*greatest - *least) * static_cast<double>(values.size()) /

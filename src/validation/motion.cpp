@@ -2,9 +2,12 @@
 
 #include "base/error.h"
 #include "forces/cloth_forces.h"
+#include "state/build_world.h"
 #include "step/constrained_vertices.h"
 
 #include <limits>
+
+#include "validation/sheet_world.h"
 
 namespace weft {
 
@@ -39,11 +42,8 @@ void FreeMotion::steps(double dt, int count) {
 }
 
 FabricParams isotropic_fabric(double stretch, double poisson, double bend) {
-    FabricParams fabric;
+    FabricParams fabric = isotropic_membrane(stretch, poisson);
     fabric.area_density = 0.2;
-    fabric.stretch_stiffness = {stretch, stretch};
-    fabric.shear_stiffness = stretch / (2.0 * (1.0 + poisson));
-    fabric.poisson = poisson;
     fabric.bend_stiffness = bend;
     return fabric;
 }
@@ -62,38 +62,6 @@ Scene vacuum_scene(const Vec2& size, const std::array<int, 2>& cells, const Fabr
     return scene;
 }
 
-Vec3 linear_momentum(const World& world) {
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
-        sum += world.masses[i] * world.velocities[i];
-    }
-    return sum;
-}
-
-Vec3 angular_momentum(const World& world) {
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
-        sum += world.masses[i] * world.positions[i].cross(world.velocities[i]);
-    }
-    return sum;
-}
-
-double speed_sum(const World& world) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
-        sum += world.masses[i] * world.velocities[i].norm();
-    }
-    return sum;
-}
-
-double kinetic_energy(const World& world) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
-        sum += 0.5 * world.masses[i] * world.velocities[i].squaredNorm();
-    }
-    return sum;
-}
-
 double free_energy(const World& world) {
     double sum = kinetic_energy(world);
     for (const Cloth& cloth : world.cloths) {
@@ -108,8 +76,8 @@ double mean_period(std::span<const double> signal, double dt) {
     int rises = 0;
     for (std::size_t i = 1; i < signal.size(); ++i) {
         if (signal[i - 1] < 0.0 && signal[i] >= 0.0) {
-            const double share = -signal[i - 1] / (signal[i] - signal[i - 1]);
-            last = dt * (static_cast<double>(i) + share);
+            const double weight = -signal[i - 1] / (signal[i] - signal[i - 1]);
+            last = dt * (static_cast<double>(i) + weight);
             first = rises++ == 0 ? last : first;
         }
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scene/scene.h"
 #include "state/world.h"
 #include "step/implicit_step.h"
 
@@ -35,13 +36,6 @@ FabricParams isotropic_fabric(double stretch, double poisson, double bend);
 /// A sheet in vacuum without gravity, its corner edges along x and z, Newton's method and the
 /// linear solver taken to round-off.
 Scene vacuum_scene(const Vec2& size, const std::array<int, 2>& cells, const FabricParams& fabric);
-
-/// Total momentum, kg m/s; about the origin, kg m^2/s; sum of m |v|, what round-off is relative to.
-Vec3 linear_momentum(const World& world);
-Vec3 angular_momentum(const World& world);
-double speed_sum(const World& world);
-
-double kinetic_energy(const World& world); ///< J
 
 /// Kinetic, membrane and bending energy, J.
 double free_energy(const World& world);

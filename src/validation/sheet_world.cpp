@@ -1,35 +1,34 @@
 #include "validation/sheet_world.h"
 
 #include "geometry/mixed_areas.h"
-#include "state/rest_shape.h"
+#include "state/build_world.h"
 
 namespace weft {
+
+Cloth& add_sheet(World& world,
+                 const std::string& name,
+                 const Sheet& sheet,
+                 ClothParams params,
+                 const std::function<Vec3(const Vec2&)>& place) {
+    params.name = name;
+    const ImportedMesh mesh = imported(sheet);
+    Cloth& cloth = add_cloth(world, params, mesh);
+    cloth.rest_areas = mixed_areas(mesh.mesh.positions, cloth.triangles); // to the last digit
+    for (std::size_t i = 0; i < sheet.points.size(); ++i) {
+        const std::size_t v = at(cloth.first_vertex) + i;
+        world.masses[v] = params.fabric.area_density * cloth.rest_areas[i];
+        if (place) {
+            world.positions[v] = world.previous_positions[v] = place(sheet.points[i]);
+        }
+    }
+    return cloth;
+}
 
 World sheet_world(const Sheet& sheet,
                   const ClothParams& params,
                   const std::function<Vec3(const Vec2&)>& place) {
-    std::vector<Vec3> flat;
-    for (const Vec2& p : sheet.points) {
-        flat.emplace_back(p.x(), p.y(), 0.0);
-    }
-    Cloth cloth;
-    cloth.name = "sheet";
-    cloth.params = params;
-    cloth.vertex_count = static_cast<Index>(flat.size());
-    cloth.triangles = sheet.triangles;
-    cloth.topology = build_edges(cloth.triangles);
-    build_rest_shape(cloth, flat, {});
-    cloth.rest_areas = mixed_areas(flat, cloth.triangles);
-
     World world;
-    for (std::size_t i = 0; i < flat.size(); ++i) {
-        world.positions.push_back(place ? place(sheet.points[i]) : flat[i]);
-        world.velocities.push_back(params.velocity);
-        world.masses.push_back(params.fabric.area_density * cloth.rest_areas[i]);
-    }
-    world.previous_positions = world.positions;
-    world.previous_velocities = world.velocities;
-    world.cloths.push_back(std::move(cloth));
+    add_sheet(world, "sheet", sheet, params, place);
     return world;
 }
 
@@ -41,7 +40,7 @@ SceneParams empty_space() {
     return params;
 }
 
-FabricParams isotropic_fabric(double modulus, double poisson) {
+FabricParams isotropic_membrane(double modulus, double poisson) {
     FabricParams fabric;
     fabric.stretch_stiffness = Vec2(modulus, modulus);
     fabric.poisson = poisson;
@@ -59,6 +58,35 @@ std::vector<Index> vertices_where(const Sheet& sheet,
         }
     }
     return picked;
+}
+
+ClampedStrip::ClampedStrip(
+    Pattern pattern, int cells, int cells_across, double length, double width)
+    : sheet(make_sheet(pattern, cells + 1, cells_across, cells + 1, cells_across)),
+      cell(length / (cells + 0.5)) {
+    for (std::size_t i = 0; i < sheet.points.size(); ++i) {
+        Vec2& p = sheet.points[i];
+        if (i % static_cast<std::size_t>(cells + 2) == 1) {
+            p = Vec2(1.0, std::round(p.y())); // the clamp's line is straight
+        }
+        p = Vec2((p.x() - 1.0) * cell, p.y() * width / cells_across);
+    }
+}
+
+std::vector<Index> ClampedStrip::clamp() const {
+    return vertices_where(sheet, [](const Vec2& p) { return p.x() < 1e-9; });
+}
+
+std::vector<Index> ClampedStrip::free_end() const {
+    double end = 0.0;
+    for (const Vec2& p : sheet.points) {
+        end = std::max(end, p.x());
+    }
+    return vertices_where(sheet, [=](const Vec2& p) { return p.x() > end - 1e-9; });
+}
+
+int square_cells_across(int cells, double length, double width) {
+    return std::max(1, static_cast<int>(std::lround(width / length * (cells + 0.5))));
 }
 
 } // namespace weft

@@ -7,9 +7,15 @@
 
 namespace weft {
 
-/// A world of one cloth: the sheet is its rest shape, weft along x, warp along y; `place` says
-/// where each of its points is (identity in the plane z = 0 when left out). Nothing moves, nothing
-/// is pinned. Of `params` the mesh keys are not used.
+/// Appends a cloth whose rest shape is the sheet, weft along x, warp along y; `place` says where
+/// each of its points is (identity in the plane z = 0 when left out). It is at rest and not pinned.
+Cloth& add_sheet(World& world,
+                 const std::string& name,
+                 const Sheet& sheet,
+                 ClothParams params,
+                 const std::function<Vec3(const Vec2&)>& place = {});
+
+/// A world of that cloth alone.
 World sheet_world(const Sheet& sheet,
                   const ClothParams& params,
                   const std::function<Vec3(const Vec2&)>& place = {});
@@ -17,11 +23,32 @@ World sheet_world(const Sheet& sheet,
 /// Surroundings without air and gravity, and a solve to round-off.
 SceneParams empty_space();
 
-/// A fabric of Young's modulus times thickness (N/m), equal in all directions.
-FabricParams isotropic_fabric(double modulus, double poisson);
+/// A fabric without bending stiffness that is equally stiff in all directions.
+///
+/// @param modulus  Young's modulus times thickness, N/m
+FabricParams isotropic_membrane(double modulus, double poisson);
 
 /// Vertices of the sheet that `is_in` picks.
 std::vector<Index> vertices_where(const Sheet& sheet,
                                   const std::function<bool(const Vec2&)>& is_in);
+
+/// A strip along x whose first column of cells is a clamp: points with x <= 0 are to be held.
+///
+/// An edge on the clamp's line bends like half a cell of the clamp and half a cell of the strip,
+/// so that the strip begins half a cell before that line; its free end is `length` from there, at
+/// x = length - cell/2. Without this its rigidity seems to be wrong by a cell in length.
+struct ClampedStrip {
+    Sheet sheet;
+    double cell; ///< along x, m
+
+    /// @param cells  along the strip, without the clamp's
+    ClampedStrip(Pattern pattern, int cells, int cells_across, double length, double width);
+
+    std::vector<Index> clamp() const;
+    std::vector<Index> free_end() const;
+};
+
+/// Rows across that make the cells of a strip as square as can be; >= 1.
+int square_cells_across(int cells, double length, double width);
 
 } // namespace weft

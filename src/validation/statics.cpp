@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+#include "validation/sheet_world.h"
+
 namespace weft {
 
 namespace {
@@ -124,6 +126,15 @@ double largest_move(const Eigen::VectorXd& change) {
     return change.reshaped(3, change.size() / 3).colwise().norm().maxCoeff();
 }
 
+/// Mean of a component of u over vertices.
+double mean(const Eigen::VectorXd& u, std::span<const Index> vertices, int component) {
+    double sum = 0.0;
+    for (const Index v : vertices) {
+        sum += u[3 * v + component];
+    }
+    return sum / static_cast<double>(vertices.size());
+}
+
 } // namespace
 
 StaticLoad::StaticLoad(std::size_t vertex_count) : held(3 * vertex_count, 0) {
@@ -233,6 +244,27 @@ settle(World& world, const SceneParams& params, const StaticLoad& load, const Se
                 fmt::format("no equilibrium after {} iterations: unbalanced force {:.3g} of the "
                             "load; must be <= {:.3g}",
                             report.iterations, report.residual, how.tolerance));
+}
+
+Elasticity tensile_test(const Sheet& sheet, const Eigen::SparseMatrix<double>& stiffness) {
+    const auto side = [&](int axis, double at) {
+        return vertices_where(sheet, [=](const Vec2& p) { return std::abs(p[axis] - at) < 1e-9; });
+    };
+    const std::vector<Index> left = side(0, 0.0);
+    const std::vector<Index> right = side(0, 1.0);
+    StaticLoad load(sheet.points.size());
+    load.hold_all(2);
+    for (const Index v : left) {
+        load.hold(v, 0);
+    }
+    for (const Index v : right) {
+        load.hold(v, 0, 1.0);
+    }
+    load.hold(left.front(), 1);
+    const Eigen::VectorXd u = linear_response(stiffness, load);
+    const Eigen::VectorXd force = stiffness * u;
+    return {mean(force, right, 0) * static_cast<double>(right.size()),
+            mean(u, side(1, 0.0), 1) - mean(u, side(1, 1.0), 1)};
 }
 
 } // namespace weft

@@ -48,6 +48,15 @@ std::string markdown_row(const ValidationRow& row) {
 
 } // namespace
 
+double error_of(const ValidationRow& row) {
+    const double difference = std::abs(row.measured - row.theory);
+    return row.relative ? difference / std::abs(row.theory) : difference;
+}
+
+bool is_within(const ValidationRow& row) {
+    return error_of(row) <= row.tolerance;
+}
+
 std::string verdict(const ValidationRow& row) {
     if (is_within(row)) {
         return "ok";

@@ -1,5 +1,6 @@
 #include "adapt/least_rest_angle.h"
 #include "adapt/make_refinement.h"
+#include "state/build_world.h"
 #include "state/world.h"
 #include "support/mesh_history.h"
 #include "support/paths.h"

@@ -1,4 +1,5 @@
 #include "adapt/obstacle_curvature.h"
+#include "state/deformation.h"
 #include "support/objects.h"
 
 #include <gtest/gtest.h>

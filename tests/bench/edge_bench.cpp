@@ -1,7 +1,7 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "geometry/sheet.h"
-#include "state/build_network.h"
+#include "state/edge_network.h"
 #include "step/force_system.h"
 
 #include <fmt/core.h>

@@ -4,6 +4,7 @@
 
 #include "adapt/least_rest_angle.h"
 #include "scene/scene_reader.h"
+#include "state/build_world.h"
 
 #include <fmt/core.h>
 

@@ -1,5 +1,5 @@
 #include "base/parallel.h"
-#include "state/build_network.h"
+#include "state/edge_network.h"
 #include "step/force_system.h"
 
 #include <fmt/core.h>

@@ -178,7 +178,7 @@ TEST(CarriedMotion, AnImpulseLeavesBodiesRigidAndWhatTheyCarryFollows) {
     follow_particles(surface, touched);
 
     std::vector<Vec3> carried = surface.velocity;
-    carry(world, carried);
+    interpolate_embedded(world, carried);
     for (const RigidBody& rigid : world.rigids) {
         const Body& body = rigid.body;
         for (Index i = body.first_vertex; i < body.first_particle + 4; ++i) {

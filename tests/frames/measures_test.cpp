@@ -3,7 +3,7 @@
 #include "frames/measures.h"
 #include "frames/statistics.h"
 #include "scene/scene_reader.h"
-#include "state/world.h"
+#include "state/build_world.h"
 #include "support/temp_folder.h"
 
 #include <gtest/gtest.h>
@@ -79,7 +79,7 @@ template <typename F> void move(World& world, const F& f) {
         Vec3& x = world.positions[static_cast<std::size_t>(body.first_particle + p)];
         x = f(x);
     }
-    carry(world, world.positions);
+    interpolate_embedded(world, world.positions);
 }
 
 FrameStatistics measure(const World& world) {
@@ -144,7 +144,7 @@ TEST(SolidMeasures, BodyWithAHoleHoldsWhatAFanOverItCloses) {
     Body body = world.solids[0].body;
     std::erase_if(body.triangles, [&](const Triangle& t) { // the face at low x: flat
         return std::all_of(t.begin(), t.end(), [&](Index v) {
-            const Index particle = body.carriers[static_cast<std::size_t>(v)].particles[0];
+            const Index particle = body.embeddings[static_cast<std::size_t>(v)].particles[0];
             return particle % 9 == 0;
         });
     });

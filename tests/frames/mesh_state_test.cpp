@@ -1,4 +1,5 @@
 #include "frames/mesh_state.h"
+#include "state/build_world.h"
 #include "support/adapting_world.h"
 #include "support/grid_world.h"
 

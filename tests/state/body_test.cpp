@@ -11,10 +11,10 @@ TEST(Body, CarriesItsSurfaceWithEachAffineMotionOfItsParticles) {
     body.vertex_count = 2;
     body.first_particle = 3;
     body.particle_count = 4;
-    body.carriers.resize(2);
-    body.carriers[0] = {{0, 1, 2, 3}, {0.1, 0.2, 0.3, 0.4}};
-    body.carriers[1].particles[0] = 2;
-    body.carriers[1].weights[0] = 1.0;
+    body.embeddings.resize(2);
+    body.embeddings[0] = {{0, 1, 2, 3}, {0.1, 0.2, 0.3, 0.4}};
+    body.embeddings[1].particles[0] = 2;
+    body.embeddings[1].weights[0] = 1.0;
     std::vector<Vec3> x(7, Vec3(9.0, 9.0, 9.0));
     x[3] = Vec3(0.0, 0.0, 0.0);
     x[4] = Vec3(1.0, 0.0, 0.0);
@@ -26,7 +26,7 @@ TEST(Body, CarriesItsSurfaceWithEachAffineMotionOfItsParticles) {
     for (std::size_t i = 3; i < 7; ++i) {
         x[i] = affine * x[i] + shift;
     }
-    carry(body, x);
+    interpolate_embedded(body, x);
     EXPECT_EQ(x[0], Vec3(9.0, 9.0, 9.0)) << "not the body's";
     EXPECT_LT((x[1] - (affine * Vec3(0.2, 0.3, 0.4) + shift)).norm(), 1e-14);
     EXPECT_LT((x[2] - (affine * Vec3(0.0, 1.0, 0.0) + shift)).norm(), 1e-14);

@@ -1,3 +1,4 @@
+#include "state/deformation.h"
 #include "state/pin.h"
 #include "support/objects.h"
 

@@ -46,7 +46,7 @@ TEST(RigidMotion, WeightsGiveBackThePointAndSumToOne) {
     const FourPoints X = particles_with(k_moments);
     const Vec3 x(0.7, -0.4, 1.3);
 
-    const auto weights = carrying_weights(X, x);
+    const auto weights = embedding_weights(X, x);
 
     const Vec3 sum = weights[0] * X[0] + weights[1] * X[1] + weights[2] * X[2] + weights[3] * X[3];
     EXPECT_LT((sum - x).norm(), 1e-13);
@@ -75,7 +75,9 @@ TEST(RigidMotion, RigidVelocitiesHaveTheMotionTheyAreMadeOf) {
     const FourPoints rigid = rigid_velocities(X, motion);
 
     EXPECT_LT((motion_of(X, rigid).velocity - motion.velocity).norm(), 1e-14);
-    EXPECT_LT((motion_of(X, rigid).angular_rate - motion.angular_rate).norm(), 1e-14);
+    EXPECT_LT(
+        (motion_of(X, rigid).specific_angular_momentum - motion.specific_angular_momentum).norm(),
+        1e-14);
     for (std::size_t i = 0; i < 4; ++i) { // distances do not change
         for (std::size_t j = 0; j < i; ++j) {
             EXPECT_NEAR((X[i] - X[j]).dot(rigid[i] - rigid[j]), 0.0, 1e-13);

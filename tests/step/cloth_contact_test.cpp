@@ -118,7 +118,7 @@ TEST(ClothContact, TwoCollidingSheetsKeepTheirMomentum) {
     for (Index i = 0; i < world.cloths[0].vertex_count; ++i) {
         world.velocities[static_cast<std::size_t>(i)].y() -= 4.0;
     }
-    const Vec3 before = momentum(world);
+    const Vec3 before = linear_momentum(world);
 
     int contacts = 0;
     for (int i = 0; i < 10; ++i) {
@@ -128,7 +128,7 @@ TEST(ClothContact, TwoCollidingSheetsKeepTheirMomentum) {
     }
 
     EXPECT_GT(contacts, 0);
-    EXPECT_LT((momentum(world) - before).norm(), 1e-10);
+    EXPECT_LT((linear_momentum(world) - before).norm(), 1e-10);
 }
 
 TEST(ClothContact, FastSphereDoesNotTunnelASheet) {

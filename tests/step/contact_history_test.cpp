@@ -29,7 +29,7 @@ TEST(Stepper, SheetsThatCollideKeepTheirMomentum) {
     scene.cloths.push_back(upper);
     World world = test::build_quietly(scene);
     Stepper stepper({world, scene.scene, scene.contact});
-    const Vec3 before = test::momentum(world); // 0.008 kg at 1 m/s
+    const Vec3 before = linear_momentum(world); // 0.008 kg at 1 m/s
     int contacts = 0;
 
     for (int frame = 0; frame < 3; ++frame) {
@@ -37,7 +37,7 @@ TEST(Stepper, SheetsThatCollideKeepTheirMomentum) {
     }
 
     EXPECT_GT(contacts, 0);
-    EXPECT_LT((test::momentum(world) - before).norm(), 1e-12);
+    EXPECT_LT((linear_momentum(world) - before).norm(), 1e-12);
 }
 
 TEST(Stepper, SheetThatFallsFlatComesToRestAtOnceUnderBothIntegrators) {
@@ -55,7 +55,7 @@ TEST(Stepper, SheetThatFallsFlatComesToRestAtOnceUnderBothIntegrators) {
             stepper.advance_frame(world, nullptr);
         }
 
-        EXPECT_LT(test::kinetic_energy(world), 1e-6); // it arrived with 0.1 J
+        EXPECT_LT(kinetic_energy(world), 1e-6); // it arrived with 0.1 J
         EXPECT_NEAR(world.positions[0].y(), 1e-3, 2e-4);
     }
 }

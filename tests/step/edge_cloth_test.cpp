@@ -1,4 +1,5 @@
 #include "scene/scene_reader.h"
+#include "state/build_world.h"
 #include "state/world.h"
 #include "step/advance.h"
 

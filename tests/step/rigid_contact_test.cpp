@@ -97,14 +97,14 @@ TEST(RigidContact, BallsThatMeetKeepMomentum) {
     scene.rigids[0].velocity = Vec3(2.0, 0.0, 0.0);
     scene.rigids[1].spin_deg = Vec3(0.0, 0.0, 200.0);
     CheckedRun run(scene);
-    const Vec3 linear = momentum(run.world);
+    const Vec3 linear = linear_momentum(run.world);
     const Vec3 angular = angular_momentum(run.world);
     const double energy = kinetic_energy(run.world);
 
     run.advance(3);
 
     EXPECT_GT(run.world.velocities[at_particle(run.world, 1)].x(), 0.1); // it was hit
-    EXPECT_LT((momentum(run.world) - linear).norm(), 1e-8 * linear.norm());
+    EXPECT_LT((linear_momentum(run.world) - linear).norm(), 1e-8 * linear.norm());
     const double before = 2.0 * 0.03; // angular momentum of the first one's way, kg m^2/s
     EXPECT_LT((angular_momentum(run.world) - angular).norm(), 0.01 * before);
     EXPECT_LT(kinetic_energy(run.world), energy);
@@ -166,11 +166,11 @@ TEST(RigidContact, ClothAndTheBodyItIsJoinedToPullEachOther) {
     scene.scene.air_density = 0.0;
     scene.rigids.push_back(body("box", Shape::Box, 0.5, Vec3(0.0, -0.3, 0.0)));
     CheckedRun run(scene);
-    const Vec3 linear = momentum(run.world);
+    const Vec3 linear = linear_momentum(run.world);
 
     run.advance(10);
 
-    EXPECT_LT((momentum(run.world) - linear).norm(), 1e-9);
+    EXPECT_LT((linear_momentum(run.world) - linear).norm(), 1e-9);
     EXPECT_GT(run.world.velocities[at_particle(run.world, 0)].y(), 0.01);
     for (const AttachedPair& pair : run.world.attached_pairs) {
         EXPECT_LT(pair_gap(pair, run.world.positions).norm(), 1e-3);

@@ -1,7 +1,7 @@
 #include "base/error.h"
 #include "collide/crossings.h"
 #include "scene/scene_reader.h"
-#include "state/update_attachments.h"
+#include "state/attachment.h"
 #include "step/advance.h"
 #include "support/worlds.h"
 

@@ -131,7 +131,7 @@ AdaptationHooks AdaptingWorld::follow(std::size_t index, StateTransfer& transfer
     return hooks;
 }
 
-ClothChanges AdaptingWorld::adapt(std::size_t index, int edits, double share) {
+ClothChanges AdaptingWorld::adapt(std::size_t index, int edits, double growth) {
     Cloth& cloth = world.cloths[index];
     Sqrt3Mesh& mesh = *meshes_[index];
     StateTransfer transfer(world, cloth);
@@ -141,7 +141,7 @@ ClothChanges AdaptingWorld::adapt(std::size_t index, int edits, double share) {
     for (int k = 0; k < edits; ++k) {
         const auto t = static_cast<Index>(random() % cloth.triangles.size());
         const auto v = static_cast<Index>(random() % at(cloth.vertex_count));
-        if (std::uniform_real_distribution<double>(0.0, 1.0)(random) < share) {
+        if (std::uniform_real_distribution<double>(0.0, 1.0)(random) < growth) {
             if (cloth.triangles[at(t)][0] != k_no_index) {
                 mesh.refine(t);
             }

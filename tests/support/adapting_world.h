@@ -26,8 +26,9 @@ class AdaptingWorld {
 public:
     AdaptingWorld(SheetMotion motion, unsigned seed);
 
-    /// One adaptation of cloth number `index` of a few random edits; `share` of them refine.
-    ClothChanges adapt(std::size_t index, int edits, double share);
+    /// One adaptation of cloth number `index` of a few random edits; a fraction `growth` of them
+    /// refine.
+    ClothChanges adapt(std::size_t index, int edits, double growth);
 
     /// Adaptations of all adaptive cloths until nothing is left to take out.
     void coarsen_all();
@@ -50,9 +51,9 @@ private:
     AdaptationHooks follow(std::size_t index, StateTransfer& transfer);
     Vec3 noise(double size);
 
-    std::vector<std::vector<int>> names_; ///< of each cloth, by vertex
+    std::vector<std::vector<int>> names_; ///< by cloth and vertex
     std::map<int, Place> places_;
-    std::vector<std::optional<Sqrt3Mesh>> meshes_; ///< of the adaptive ones
+    std::vector<std::optional<Sqrt3Mesh>> meshes_; ///< none where a cloth does not adapt
     int next_name_ = 0;
 };
 

@@ -1,7 +1,7 @@
 #include "support/adaptive_cloths.h"
 
 #include "adapt/make_refinement.h"
-#include "geometry/mixed_areas.h"
+#include "state/build_world.h"
 #include "state/rest_shape.h"
 #include "support/sheets.h"
 
@@ -14,13 +14,7 @@ namespace weft::test {
 namespace {
 
 void complete(Cloth& cloth) {
-    cloth.rest_areas.assign(at(cloth.vertex_count), 0.0);
-    for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
-        const auto shares = mixed_corner_areas(rest_corners(cloth.rest[t]));
-        for (std::size_t k = 0; k < 3; ++k) {
-            cloth.rest_areas[at(cloth.triangles[t][k])] += shares[k];
-        }
-    }
+    cloth.rest_areas = mixed_rest_areas(cloth);
     make_refinement(cloth);
 }
 
@@ -79,28 +73,26 @@ Sheet rough_sheet(int cells, double jitter, unsigned seed) {
 }
 
 Cloth adaptive_cylinder(int around, int up, bool is_lying) {
-    Cloth cloth;
-    std::vector<Vec3> positions;
+    ImportedMesh mesh;
     for (int j = 0; j <= up; ++j) {
         for (int i = 0; i < around; ++i) {
             const double angle = 2.0 * std::numbers::pi * i / around;
             const double height = static_cast<double>(j) / up;
             const Vec3 x(std::cos(angle), height, std::sin(angle));
-            positions.push_back(is_lying ? Vec3(x.y(), x.z(), x.x()) : x);
+            mesh.mesh.positions.push_back(is_lying ? Vec3(x.y(), x.z(), x.x()) : x);
         }
     }
     for (int j = 0; j < up; ++j) {
         for (int i = 0; i < around; ++i) {
             const Index a = j * around + i, b = j * around + (i + 1) % around;
-            cloth.triangles.push_back({a, a + around, b});
-            cloth.triangles.push_back({b, a + around, b + around});
+            mesh.mesh.triangles.push_back({a, a + around, b});
+            mesh.mesh.triangles.push_back({b, a + around, b + around});
         }
     }
-    cloth.vertex_count = static_cast<Index>(positions.size());
-    cloth.topology = build_edges(cloth.triangles);
-    build_rest_shape(cloth, positions, {});
-    complete(cloth);
-    return cloth;
+    World world;
+    Cloth& cloth = add_cloth(world, {}, mesh);
+    make_refinement(cloth);
+    return std::move(cloth);
 }
 
 Cloth flat_torus(int cells) {

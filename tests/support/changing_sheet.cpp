@@ -1,6 +1,5 @@
 #include "support/changing_sheet.h"
 
-#include "geometry/mixed_areas.h"
 #include "support/sheets.h"
 
 #include <algorithm>
@@ -146,10 +145,10 @@ ClothChanges ChangingSheet::change(int edits, double growth, double window) {
     }
     const auto triangles =
         static_cast<std::size_t>(std::ceil(window * static_cast<double>(sheet_.triangles.size())));
-    std::uniform_real_distribution<double> share;
+    std::uniform_real_distribution<double> uniform;
     for (int i = 0; i < edits; ++i) {
         const std::size_t t = random_() % triangles;
-        const double dice = share(random_);
+        const double dice = uniform(random_);
         if (is_used_[t] == 0) {
             if (dice < 0.6 * growth) {
                 split(t);
@@ -286,13 +285,6 @@ void ChangingSheet::rebuild_cloth() {
     const Index first_vertex = cloth_.first_vertex;
     cloth_ = cloth_of(sheet_, cloth_.params.fabric, cloth_.params.bend_model);
     cloth_.first_vertex = first_vertex;
-    cloth_.rest_areas.assign(sheet_.points.size(), 0.0);
-    for (std::size_t t = 0; t < cloth_.triangles.size(); ++t) {
-        const auto areas = mixed_corner_areas(rest_corners(cloth_.rest[t]));
-        for (std::size_t k = 0; k < 3; ++k) {
-            cloth_.rest_areas[at(cloth_.triangles[t][k])] += areas[k];
-        }
-    }
 }
 
 } // namespace weft::test

@@ -2,7 +2,7 @@
 
 #include "geometry/sheet.h"
 #include "state/cloth.h"
-#include "state/cloth_changes.h"
+#include "state/refinement.h"
 
 #include <random>
 
@@ -27,8 +27,8 @@ public:
     std::span<const Vec2> points() const { return sheet_.points; } ///< #V, m
 
     /// Tries `edits` edits, no two at the same triangle.
-    /// @param growth  share of splits among those that change the number of triangles
-    /// @param window  from which the triangles are taken, as a share of their numbers
+    /// @param growth  fraction of splits among the edits that change the number of triangles
+    /// @param window  fraction of the triangles, the first ones, that are edited
     ClothChanges change(int edits, double growth = 0.5, double window = 1.0);
 
     /// What would change if this sheet became that earlier or later state of it.

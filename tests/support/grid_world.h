@@ -1,5 +1,6 @@
 #pragma once
 
+#include "state/build_world.h"
 #include "state/world.h"
 
 namespace weft::test {

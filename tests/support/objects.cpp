@@ -104,6 +104,7 @@ Cloth& add_sheet(World& world, int cells, double size, double height, const Fabr
         world.velocities.push_back(Vec3::Zero());
         world.masses.push_back(0.2 * cloth.rest_areas[i]);
     }
+    extend_history(world);
     world.cloths.push_back(std::move(cloth));
     return world.cloths.back();
 }
@@ -136,22 +137,6 @@ Obstacle& add_box(World& world, const Vec3& size, const Vec3& centre) {
     mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                       {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
     return add_obstacle(world, std::move(mesh), centre);
-}
-
-Vec3 momentum(const World& world) {
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
-        sum += world.masses[i] * world.velocities[i];
-    }
-    return sum;
-}
-
-double kinetic_energy(const World& world) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
-        sum += 0.5 * world.masses[i] * world.velocities[i].squaredNorm();
-    }
-    return sum;
 }
 
 } // namespace weft::test

@@ -17,10 +17,4 @@ Obstacle& add_floor(World& world, double size, double height);
 /// A closed box of edge lengths `size` about `centre`, as an obstacle.
 Obstacle& add_box(World& world, const Vec3& size, const Vec3& centre);
 
-/// Sum of mass times velocity, kg m/s.
-Vec3 momentum(const World& world);
-
-/// Sum of half mass times velocity squared, J.
-double kinetic_energy(const World& world);
-
 } // namespace weft::test

@@ -1,5 +1,7 @@
 #include "support/worlds.h"
 
+#include "state/build_world.h"
+
 #include <stdexcept>
 
 namespace weft::test {
@@ -24,14 +26,6 @@ Scene scene_of(const ClothParams& cloth) {
 
 World build_quietly(const Scene& scene) {
     return build_world(scene, [](const std::string& line) { throw std::runtime_error(line); });
-}
-
-Vec3 angular_momentum(const World& world) {
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < world.vertex_count(); ++i) {
-        sum += world.masses[i] * world.positions[i].cross(world.velocities[i]);
-    }
-    return sum;
 }
 
 } // namespace weft::test

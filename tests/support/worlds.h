@@ -1,6 +1,6 @@
 #pragma once
 
-#include "state/world.h"
+#include "state/build_world.h"
 
 namespace weft::test {
 
@@ -13,8 +13,5 @@ Scene scene_of(const ClothParams& cloth);
 
 /// build_world of a scene that must give no warning.
 World build_quietly(const Scene& scene);
-
-/// Total angular momentum about the origin, kg m^2/s.
-Vec3 angular_momentum(const World& world);
 
 } // namespace weft::test
