@@ -62,7 +62,7 @@ TEST(Render, HelpAndDocumentationNameEveryQuantityAndColourMap) {
     testing::internal::CaptureStdout();
     EXPECT_EQ(render({"--help"}), 0);
     const std::string help = testing::internal::GetCapturedStdout();
-    const std::string page = read_file(test::source_path("docs/scene.md"));
+    const std::string page = read_file(test::source_path("docs/scene-keys.md"));
 
     for (const auto& names : {std::span<const std::string_view>(k_quantity_names),
                               std::span<const std::string_view>(k_map_names)}) {
