@@ -13,6 +13,10 @@ namespace {
 constexpr double k_friction = 0.3;
 constexpr double k_gravity = 9.81;
 
+/// m/s. Friction that sticks is a spring, and the cloth stretches under its weight: 1.6e-5 m/s of
+/// that settling are left after 1 s. weft validate allows the same creep of 0.1 mm in 1 s.
+constexpr double k_creep = 1e-4;
+
 /// A small sheet at its contact thickness on a wide plane; gravity is turned instead of the plane.
 Scene sheet_on_incline(double degrees, int substeps) {
     ClothParams sheet = test::record_sheet(4);
@@ -67,9 +71,9 @@ TEST(Incline, EachVertexSticksOrSlidesAsCoulombSays) {
 
         const double speed =
             std::max(0.0, k_gravity * (std::sin(angle) - k_friction * std::cos(angle)));
-        EXPECT_NEAR(slide.speed, speed, 0.01 * speed + 1e-6) << degrees;
-        EXPECT_LT(slide.uneven_speed, 0.01 * speed + 1e-6) << degrees;
-        EXPECT_LT(slide.sideways_speed, 1e-6) << degrees;
+        EXPECT_NEAR(slide.speed, speed, 0.01 * speed + k_creep) << degrees;
+        EXPECT_LT(slide.uneven_speed, 0.01 * speed + k_creep) << degrees;
+        EXPECT_LT(slide.sideways_speed, k_creep) << degrees;
     }
 }
 
