@@ -23,15 +23,16 @@ struct EdgeFlip {
     std::array<Index, 2> apex; ///< P, Q
 };
 
-/// What the removal of a vertex, or of the pair on an edge, does, in this order.
+/// The edits that remove a vertex, or the pair on an edge, in this order.
 struct Removal {
     std::vector<EdgeFlip> flips;         ///< back to what was; `edge` is the one that goes
     std::vector<VertexParents> vertices; ///< these move to where their parents' mean is, and vanish
     std::vector<Triangle> merged;        ///< and these triangles are left
 };
 
-/// What the caller of an adaptation has a say in. Empty functions allow, or do nothing. They must
-/// not edit the cloth. Vertices are the cloth's own, as they are at the time of the call.
+/// Calls from an adaptation to its caller, which may refuse edits. Empty functions allow all, or do
+/// nothing. They must not edit the cloth. Vertices are the cloth's own, as they are at the time of
+/// the call.
 struct AdaptationHooks {
     std::function<bool(const EdgeFlip&)> may_flip;    ///< false: it waits for retry_flips()
     std::function<bool(const Removal&)> may_remove;   ///< false: nothing of it is done
@@ -43,10 +44,10 @@ struct AdaptationHooks {
 /// 3^15 triangles for one; the record of parts has two bits for each level.
 inline constexpr Index k_most_levels = 15;
 
-/// What bounds an adaptation.
+/// Bounds of an adaptation.
 struct AdaptationLimits {
     Index max_level = 0; ///< no triangle becomes finer, 0..k_most_levels
-    Index max_triangles = std::numeric_limits<Index>::max(); ///< that refining may lead to
+    Index max_triangles = std::numeric_limits<Index>::max(); ///< refining stops before more
     Index adaptation = 0; ///< number of this adaptation: `born` of the vertices that it puts in
 };
 

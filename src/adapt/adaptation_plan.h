@@ -7,7 +7,29 @@
 
 namespace weft {
 
-/// What an adaptation is to do with a cloth.
+/// Refinement indicator of each triangle of a cloth: the greatest of its criteria (AdaptParams),
+/// each divided by its limit. 1 is just fine enough, more is too coarse.
+///
+/// - curvature: the greater mean curvature |H| at its corners, times its size h, the square root of
+///   its rest area: about half the angle by which the cloth turns across it.
+/// - contact: the same with the curvature of the obstacle that a corner comes near.
+/// - compression: 1 - the lesser principal stretch: cloth that cannot buckle yet on this mesh. The
+///   limit is not below the compression that buckles waves of two edges: what the mesh can show
+///   needs no finer one, and cloth that has buckled keeps no more.
+/// - velocity: the greatest difference of velocity between its corners, m/s.
+///
+/// Source: Bender and Deul 2013 (mean curvature); Narain et al. 2012 (the others).
+///
+/// @param x, v            #V of the cloth, m and m/s
+/// @param near_curvature  #V of the cloth: of the obstacle nearby, 1/m; 0: none; empty: nowhere
+/// @param indicator      #T
+void find_refinement_indicator(const Cloth& cloth,
+                               std::span<const Vec3> x,
+                               std::span<const Vec3> v,
+                               std::span<const double> near_curvature,
+                               std::vector<double>& indicator);
+
+/// The triangles and vertices of a cloth that an adaptation is to change.
 struct AdaptationPlan {
     std::vector<Index> refine; ///< triangles, the coarsest first
     std::vector<Index> remove; ///< vertices put in that nobody needs, the finest first
@@ -15,17 +37,18 @@ struct AdaptationPlan {
     bool empty() const { return refine.empty() && remove.empty(); }
 };
 
-/// Refines triangles that are coarser than the cloth's tolerance (1, or more at its budget of
-/// triangles) and coarsens where all around a vertex are much finer than it, no sooner than
-/// k_dwell adaptations after the vertex came. Triangles stay wider than k_least_width contact
+/// Plans to refine the triangles whose indicator exceeds the cloth's tolerance (1, or more at its
+/// budget of triangles) and to remove the vertices around which all indicators are below
+/// k_coarsen_fraction of it, no sooner than k_dwell adaptations after the vertex came. Triangles
+/// stay wider than k_least_width contact
 /// thicknesses: finer ones would fold within the thickness.
 ///
-/// @param coarseness  #T, see coarseness.h
-AdaptationPlan plan_adaptation(const Cloth& cloth, std::span<const double> coarseness);
+/// @param indicator  #T, of find_refinement_indicator
+AdaptationPlan plan_adaptation(const Cloth& cloth, std::span<const double> indicator);
 
-/// Share of the tolerance below which a vertex may go. Taking it out makes its triangles sqrt(3)
+/// Fraction of the tolerance below which a vertex may go. Taking it out makes its triangles sqrt(3)
 /// wider, so above 1/sqrt(3) they would be refined again at once.
-inline constexpr double k_coarsen_share = 0.4;
+inline constexpr double k_coarsen_fraction = 0.4;
 
 /// Adaptations that a vertex stays at least. Fewer: folds that pass by make the mesh flicker; more:
 /// triangles stand where folds have been.

@@ -7,7 +7,7 @@
 
 namespace weft {
 
-/// What triangles and edges of a cloth were before an adaptation wrote to them.
+/// Keeps the triangles and edges of a cloth as they were before an adaptation wrote to them.
 class ChangeLog {
 public:
     /// Forgets all, at the cost of what was written since the last time.
@@ -22,7 +22,7 @@ public:
     /// A vertex was moved to another slot; each slot is moved from, and to, once an adaptation.
     void move_vertex(Index from, Index to);
 
-    /// What is another one now. `masses` is left to the caller.
+    /// The slots whose content differs now. `masses` is left to the caller.
     ClothChanges changes(const Cloth& cloth) const;
 
     /// Vertices of the triangles written to, ascending. Those that lost a triangle are among them:

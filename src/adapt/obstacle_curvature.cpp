@@ -1,9 +1,8 @@
 #include "adapt/obstacle_curvature.h"
 
 #include "base/parallel.h"
-#include "geometry/closest_points.h"
 #include "geometry/curvature.h"
-#include "geometry/dihedral.h"
+#include "geometry/distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,8 +104,8 @@ double ObstacleCurvature::nearest_ridge(const Body& body, const Vec3& p, double 
         const Ridge& ridge = body.ridges[at(i)];
         const Vec3& a = body.places[at(ridge.ends[0])];
         const Vec3 along = body.places[at(ridge.ends[1])] - a;
-        const double share = closest_weight_on_segment(p, a, a + along);
-        if ((p - a - share * along).squaredNorm() < reach * reach) {
+        const double weight = closest_weight_on_segment(p, a, a + along);
+        if ((p - a - weight * along).squaredNorm() < reach * reach) {
             angle = std::max(angle, ridge.angle);
         }
     });

@@ -9,20 +9,20 @@ namespace weft {
 
 namespace {
 
-/// Share of a patch's distance from the origin below which its width is rounding: vertices in a
+/// Fraction of a patch's distance from the origin below which its width is rounding: vertices in a
 /// point.
 constexpr double k_least_width = 1e-12;
 
-/// Least share that is left of what moves otherwise than as a rigid body. Smaller: velocities jump
-/// where masses came nearer to the axis of a spin, which takes energy that cannot be taken off it;
-/// larger: adaptations give cloth energy.
-constexpr double k_least_share = 0.98;
+/// Least factor by which velocities other than those of a rigid motion are scaled. Smaller: they
+/// jump where masses came nearer to the axis of a spin, which takes energy that cannot be taken off
+/// it; larger: adaptations give cloth energy.
+constexpr double k_least_scale = 0.98;
 
 /// A rigid motion about a centre.
 struct PatchMotion {
     Vec3 centre, velocity, spin;
 
-    Vec3 at(const Vec3& x) const { return velocity + spin.cross(x - centre); }
+    Vec3 velocity_at(const Vec3& x) const { return velocity + spin.cross(x - centre); }
 };
 
 Mat3 inertia_about(const Vec3& centre, std::span<const double> m, std::span<const Vec3> x) {
@@ -78,7 +78,7 @@ void restore_momentum(const PatchMomentum& before,
     const PatchMomentum missing{0.0, before.linear - now.linear, before.angular - now.angular, 0.0};
     const PatchMotion correction{centre, missing.linear / now.mass, spin_of(missing)};
     for (std::size_t i = 0; i < m.size(); ++i) {
-        v[i] += correction.at(x[i]);
+        v[i] += correction.velocity_at(x[i]);
     }
 
     now = momentum_of(m, x, v);
@@ -88,17 +88,17 @@ void restore_momentum(const PatchMomentum& before,
     const PatchMotion rigid{centre, now.linear / now.mass, spin_of(now)};
     double fluctuation = 0.0;
     for (std::size_t i = 0; i < m.size(); ++i) {
-        fluctuation += 0.5 * m[i] * (v[i] - rigid.at(x[i])).squaredNorm();
+        fluctuation += 0.5 * m[i] * (v[i] - rigid.velocity_at(x[i])).squaredNorm();
     }
     if (!(fluctuation > 0.0)) {
         return;
     }
     const double excess = now.kinetic - before.kinetic;
-    const double share =
-        std::max(k_least_share, std::sqrt(std::max(0.0, 1.0 - excess / fluctuation)));
+    const double scale =
+        std::max(k_least_scale, std::sqrt(std::max(0.0, 1.0 - excess / fluctuation)));
     for (std::size_t i = 0; i < m.size(); ++i) {
-        const Vec3 as_rigid = rigid.at(x[i]);
-        v[i] = as_rigid + share * (v[i] - as_rigid);
+        const Vec3 as_rigid = rigid.velocity_at(x[i]);
+        v[i] = as_rigid + scale * (v[i] - as_rigid);
     }
 }
 

@@ -17,12 +17,13 @@ struct PatchMomentum {
     PatchMomentum& operator+=(const PatchMomentum& other);
 };
 
-/// Changes velocities (m/s) of vertices at x (m) with masses m (kg) as little as it takes for their
-/// linear and angular momentum to be those of `before`; then takes what energy they have gained off
-/// the motion that is not a rigid one, by a fiftieth of its velocities at most. What is left of
-/// the gain belongs to masses that came nearer to the axis of a spin, and is lost when they go
-/// back. Angular momentum along directions in which the vertices have all but no inertia is left as
-/// it is.
+/// Gives a patch of vertices at x (m) with masses m (kg) the linear and angular momentum `before`,
+/// by the least change of their velocities v (m/s).
+///
+/// Where the patch has more kinetic energy than before after that, the velocities that differ from
+/// its rigid motion are scaled down until it has not, by a fiftieth at most. A gain that is left
+/// comes from masses that moved nearer to the axis of a spin; it is lost again when they move back.
+/// Directions about which the vertices have next to no inertia keep their angular momentum.
 void restore_momentum(const PatchMomentum& before,
                       std::span<const double> m,
                       std::span<const Vec3> x,

@@ -33,7 +33,7 @@ void resize_range(std::vector<T>& values, std::size_t begin, std::size_t old, st
     if (now < old) {
         values.erase(end - static_cast<long>(old - now), end);
     } else if (!values.empty()) {
-        values.insert(end, now - old, T(values.front())); // for others to set
+        values.insert(end, now - old, T(values.front())); // values are set later
     }
 }
 

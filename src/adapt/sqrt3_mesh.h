@@ -3,7 +3,6 @@
 #include "adapt/adaptation_hooks.h"
 #include "adapt/change_log.h"
 #include "geometry/mesh_edit.h"
-#include "geometry/vertex_stars.h"
 #include "state/cloth.h"
 #include "state/refinement.h"
 
@@ -46,9 +45,9 @@ public:
 
     /// Refines triangle t once: even generation: cut into three about its barycentre; odd: flipped
     /// with its mate, which is refined first as far as it needs; odd on a boundary, a lock or
-    /// a pair too skew to flip (k_least_flip_share): cut in three there. False when that is refused
-    /// or the triangles allowed do not suffice; the mesh is sound then as well, but some of the
-    /// triangles that t rests on may have been refined.
+    /// a pair too skew to flip (k_least_flip_fraction): cut in three there. False when that is
+    /// refused or the triangles allowed do not suffice; the mesh is sound then as well, but some of
+    /// the triangles that t rests on may have been refined.
     bool refine(Index t);
 
     /// Whether v was put in and nothing finer rests on it. Dead and imported vertices: false.
@@ -113,7 +112,7 @@ private:
     VertexStars stars_;
     ChangeLog log_;
     std::vector<Index> dead_vertices_, dead_edges_, dead_triangles_;
-    mutable std::vector<Index> star_; ///< of can_remove and the like
+    mutable std::vector<Index> star_; ///< reused by can_remove and the like
 };
 
 } // namespace weft

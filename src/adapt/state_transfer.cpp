@@ -60,24 +60,24 @@ StateTransfer::StateTransfer(const World& world, const Cloth& cloth)
             states_[at(v)].pin = pin;
         }
     }
-    find_held(world, cloth);
+    find_fixed(world, cloth);
 }
 
-void StateTransfer::find_held(const World& world, const Cloth& cloth) {
-    const auto hold = [&](Index vertex) {
+void StateTransfer::find_fixed(const World& world, const Cloth& cloth) {
+    const auto fix = [&](Index vertex) {
         const Index v = vertex - cloth.first_vertex;
         if (v >= 0 && v < cloth.vertex_count) {
-            states_[at(v)].is_held = true;
+            states_[at(v)].is_fixed_for_remesh = true;
         }
     };
     for (const Pin& pin : world.pins) {
-        hold(pin.vertex);
+        fix(pin.vertex);
     }
     for (const AttachedPair& pair : world.attached_pairs) {
-        std::for_each(pair.vertices.begin(), pair.vertices.end(), hold);
+        std::for_each(pair.vertices.begin(), pair.vertices.end(), fix);
     }
     for (const FrictionHistory& memory : world.friction_history) {
-        std::for_each(memory.pair.begin(), memory.pair.end() - (is_transfer(memory) ? 1 : 0), hold);
+        std::for_each(memory.pair.begin(), memory.pair.end() - (is_transfer(memory) ? 1 : 0), fix);
     }
 }
 
@@ -94,9 +94,10 @@ void StateTransfer::insert(const VertexParents& place) {
         }
         state.*value = mean;
     }
-    state.is_held = std::all_of(place.parents.begin(), place.parents.end(), [&](Index parent) {
-        return parent == k_no_index || states_[at(parent)].is_held;
-    });
+    state.is_fixed_for_remesh =
+        std::all_of(place.parents.begin(), place.parents.end(), [&](Index parent) {
+            return parent == k_no_index || states_[at(parent)].is_fixed_for_remesh;
+        });
     state.pin = common_pin(place);
     if (state.pin) {
         state.pin->start = state.start;
@@ -137,7 +138,8 @@ void StateTransfer::move(Index from, Index to) {
 void StateTransfer::shift(Index v, const Vec3& x) {
     VertexState& state = states_[at(v)];
     const Vec3 way = x - state.x;
-    // What it has by where it was, less what it will be taken to have had by where it is now.
+    // Angular momentum about the old place, less that which finish() will take it to have had
+    // there.
     state.left.angular -= state.mass * way.cross(state.v);
     state.left_change.angular -= state.mass * way.cross(state.v - state.previous_v);
     state.x = x;
@@ -216,7 +218,7 @@ void StateTransfer::correct_patch(std::span<const Index> patch) {
     }
 }
 
-/// Of the world as it was before.
+/// Takes it from the world as it was before the adaptation.
 FrictionTransfer StateTransfer::begin_friction_transfer(World& world,
                                                         const Cloth& cloth,
                                                         const ClothChanges& changes) const {

@@ -11,7 +11,7 @@
 
 namespace weft {
 
-/// What the vertices of one cloth carry through an adaptation.
+/// Carries the state of one cloth's vertices through an adaptation.
 ///
 /// A vertex put in stands, and moves, where the surface did: at the weighted mean of its parents,
 /// in the history that BDF2 needs as well; it is pinned when all its parents are, by one pin. A
@@ -28,20 +28,18 @@ public:
     void move(Index from, Index to);
 
     /// Positions as the mesh stands now, by slot, m.
-    const Vec3& position(Index v) const { return states_[static_cast<std::size_t>(v)].x; }
+    const Vec3& position(Index v) const { return states_[at(v)].x; }
 
     /// Whether nothing holds a vertex where it is: no pin, no attached pair, no contact.
-    bool is_free(Index v) const { return !states_[static_cast<std::size_t>(v)].is_held; }
+    bool is_free(Index v) const { return !states_[at(v)].is_fixed_for_remesh; }
 
     /// Shifts a vertex of the cloth as the adaptation left it, and where it comes from with it, so
     /// that it moves as before.
     void shift(Index v, const Vec3& x);
 
-    /// The adaptation gave the cloth this much energy (J) around a vertex: what it moves by is to
-    /// lose as much, as far as restore_momentum() takes it.
-    void charge(Index v, double energy) {
-        states_[static_cast<std::size_t>(v)].left.kinetic -= energy;
-    }
+    /// Takes this much energy (J), which the adaptation gave the cloth around a vertex, off the
+    /// kinetic energy there, as far as restore_momentum() can.
+    void charge(Index v, double energy) { states_[at(v)].left.kinetic -= energy; }
 
     /// All of them, of the cloth as the adaptation left it.
     std::vector<Vec3> positions(const Cloth& cloth) const;
@@ -54,14 +52,14 @@ private:
     struct VertexState {
         Vec3 x, v, previous_x, previous_v, start;
         double mass = 0.0;         ///< before the adaptation, kg; 0: it is new
-        PatchMomentum left;        ///< by vertices that were taken out
-        PatchMomentum left_change; ///< the same of what the last substep changed of their velocity
+        PatchMomentum left;        ///< momentum that vertices taken out have left
+        PatchMomentum left_change; ///< the same for the change of velocity in the last substep
         std::optional<Pin> pin;
-        Index former = 0;     ///< slot until finish
-        bool is_held = false; ///< by a pin, an attached pair or contact
+        Index former = 0;                 ///< slot until finish
+        bool is_fixed_for_remesh = false; ///< a pin, an attached pair or contact fixes it
     };
 
-    void find_held(const World& world, const Cloth& cloth);
+    void find_fixed(const World& world, const Cloth& cloth);
 
     std::optional<Pin> common_pin(const VertexParents& place) const;
     void set_masses(const Cloth& cloth, const ClothChanges& changes);
@@ -73,8 +71,8 @@ private:
 
     const std::vector<Obstacle>* obstacles_;
     Vec3 origin_;
-    std::vector<VertexState> states_; ///< by slot
-    std::vector<double> masses_;      ///< by slot, after the adaptation, kg
+    std::vector<VertexState> states_; ///< [slot]
+    std::vector<double> masses_;      ///< [slot], after the adaptation, kg
     std::vector<VertexParents> inserted_;
     std::size_t old_count_;
 };

@@ -2,8 +2,8 @@
 
 #include "app/summary.h"
 #include "base/error.h"
+#include "geometry/crossing.h"
 #include "geometry/mesh_measure.h"
-#include "geometry/self_crossings.h"
 #include "scene/mesh_import.h"
 
 #include <fmt/core.h>

@@ -3,7 +3,7 @@
 #include "base/parallel.h"
 #include "collide/contact_surface.h"
 #include "geometry/box_tree.h"
-#include "geometry/separation.h"
+#include "geometry/distance.h"
 
 namespace weft {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/eigen.h"
-#include "geometry/separation.h"
+#include "geometry/distance.h"
 
 #include <array>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/separation.h"
+#include "geometry/distance.h"
 #include "state/body.h"
 #include "state/world_objects.h"
 

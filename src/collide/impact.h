@@ -2,7 +2,7 @@
 
 #include "base/parallel.h"
 #include "collide/contact_row.h"
-#include "geometry/continuous.h"
+#include "geometry/distance.h"
 
 namespace weft {
 

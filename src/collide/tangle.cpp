@@ -2,9 +2,8 @@
 
 #include "base/parallel.h"
 #include "collide/crossings.h"
-#include "geometry/contour_gradient.h"
 #include "geometry/crossing.h"
-#include "geometry/separation.h"
+#include "geometry/distance.h"
 
 #include <algorithm>
 #include <tuple>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "collide/tangle.h"
-#include "geometry/column_gaps.h"
+#include "geometry/hull_gap.h"
 #include "geometry/nearest_surface.h"
 
 namespace weft {

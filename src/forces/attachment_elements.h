@@ -14,8 +14,8 @@ struct Thread {
     double rest_gap = 0.0;  ///< m, >= 0
     double stiffness = 0.0; ///< N/m; 0: it hangs loose
     double limit = 0.0;     ///< N; infinite: none
-    double damping = 0.0;   ///< of the change of d beyond that of rest_gap, N s/m
-    double rest_rate = 0.0; ///< of rest_gap, m/s
+    double damping = 0.0;   ///< damping of the rate of d - rest_gap, N s/m
+    double rest_rate = 0.0; ///< rate of rest_gap, m/s
 };
 
 /// Energy, forces and scales.stiffness * K + scales.damping * D of a thread on the vertices whose

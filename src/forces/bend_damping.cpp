@@ -1,7 +1,7 @@
 #include "forces/bend_damping.h"
 
 #include "forces/constant_bending.h"
-#include "geometry/dihedral.h"
+#include "geometry/curvature.h"
 #include "geometry/triangle_mesh.h"
 
 #include <algorithm>

@@ -24,8 +24,8 @@ using Jumps = Eigen::Matrix<double, 3, 6>;
 Jumps patch_jumps(const BendPatch& patch) {
     Jumps jumps = Jumps::Zero();
     for (int k = 0; k < 3; ++k) {
-        const auto& neighbour = patch.neighbours[static_cast<std::size_t>(k)];
-        if (!patch.has_neighbour[static_cast<std::size_t>(k)]) {
+        const auto& neighbour = patch.neighbours[at(k)];
+        if (!patch.has_neighbour[at(k)]) {
             continue;
         }
         const int a = (k + 1) % 3;
@@ -54,8 +54,8 @@ Mat3 mid_edge_weights(const BendPatch& patch, double area) {
         if (patch.has_neighbour[k]) {
             const Vec2 along =
                 (patch.corners[(k + 2) % 3] - patch.corners[(k + 1) % 3]).normalized();
-            const double share = 1.0 / (area + 0.5 * doubled_area(patch.neighbours[k]));
-            weights.col(static_cast<int>(k)) = -share * squared({-along.y(), along.x()});
+            const double weight = 1.0 / (area + 0.5 * doubled_area(patch.neighbours[k]));
+            weights.col(static_cast<int>(k)) = -weight * squared({-along.y(), along.x()});
         }
     }
     return weights;
@@ -78,7 +78,7 @@ Mat3 quadratic_jumps(const BendPatch& patch, const Jumps& jumps) {
     const Vec2 centre = (patch.corners[0] + patch.corners[1] + patch.corners[2]) / 3.0;
     Eigen::Matrix<double, 6, 3> heights;
     for (int k = 0; k < 3; ++k) {
-        const auto corner = static_cast<std::size_t>(k);
+        const auto corner = at(k);
         heights.row(k) = 0.5 * squared(patch.corners[corner] - centre).transpose();
         heights.row(3 + k) = 0.5 * squared(unfolded_apex(patch, corner) - centre).transpose();
     }
@@ -100,9 +100,9 @@ Mat3 curvature_weights(const BendPatch& patch, const Jumps& jumps, double area) 
 } // namespace
 
 double rest_cotangent(const RestCorners& corners, int k) {
-    const Vec2& at = corners[static_cast<std::size_t>(k)];
-    const Vec2 a = corners[static_cast<std::size_t>((k + 1) % 3)] - at;
-    const Vec2 b = corners[static_cast<std::size_t>((k + 2) % 3)] - at;
+    const Vec2& corner = corners[at(k)];
+    const Vec2 a = corners[at((k + 1) % 3)] - corner;
+    const Vec2 b = corners[at((k + 2) % 3)] - corner;
     const double area = doubled_area(corners);
     assert(area > 0.0);
     return a.dot(b) / area;

@@ -40,8 +40,8 @@ struct BendPatch {
                                            ///< triangle's corners k+2 and k+1
 };
 
-/// How strongly the six-node stencil keeps to the mid-edge weights against being exact for
-/// quadratic surfaces; 0: exact for each of them, infinite: mid-edge weights. Deflection of a
+/// Weight of the mid-edge operator in the six-node stencil against being exact for quadratic
+/// surfaces; 0: exact for each of them, infinite: mid-edge weights. Deflection of a
 /// cantilever (20 cells long; right = 1) on a union-jack grid and on three irregular meshes:
 ///     infinite: 1.00 0.97 0.94 0.92    14: 1.02 1.00 0.98 0.98    0: 1.27 1.06 1.04 1.07
 /// and the energy of a cylinder at 45 degrees on the union-jack grid: 1.50, 1.30, 1.00.

@@ -11,7 +11,7 @@ std::vector<Index> changed_hinges(const Cloth& cloth, const ClothChanges& change
 /// One stencil of a cloth's bending by itself (forces/elements.h says what elements have). Rows of
 /// its matrix sum to zero.
 struct BendElement {
-    int count = 0;                      ///< of nodes: 4 or 6; 0: the cloth does not bend
+    int count = 0;                      ///< nodes, 4 or 6; 0: the cloth does not bend
     std::array<Index, 6> nodes{};       ///< the first `count`; k_no_index: none there
     std::array<double, 21> stiffness{}; ///< block_count(count) of Q, upper triangle, N/m
 

@@ -19,7 +19,7 @@ public:
     explicit EdgeElements(const Solid& solid)
         : EdgeElements(solid.network, solid.params.model, solid.params.spring) {}
 
-    double bending_energy(std::span<const Vec3> x) const; ///< of the bending edges alone, J
+    double bending_energy(std::span<const Vec3> x) const; ///< energy of the bending edges alone, J
 
     double energy_of(std::size_t edge, std::span<const Vec3> x) const {
         return kernel(edge, x).energy(law(edge), stiffness_[edge], rest_lengths_[edge]);

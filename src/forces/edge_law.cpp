@@ -14,7 +14,7 @@ namespace {
 /// Fraction of the way to where a limit has no bound, from which on its force is linear.
 constexpr double k_straight = 0.95;
 
-/// How far past a limit its force has no bound, as a fraction of the limit.
+/// Distance past a limit at which its force has no bound, as a fraction of the limit.
 constexpr double k_limit_width = 0.01;
 
 /// Energy over force and width, force, and its derivative by u.

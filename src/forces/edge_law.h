@@ -21,7 +21,8 @@ struct EdgeResponse {
     double energy = 0.0, tension = 0.0, stiffness = 0.0;
 };
 
-/// Of the law alone at stretch s >= 0; in powers of s - 1, which do not cancel near rest.
+/// The law alone at stretch s >= 0, without limits; in powers of s - 1, which do not cancel near
+/// rest.
 /// @param stiffness  K, N/m
 /// @param rest_length  L, m, > 0
 inline EdgeResponse
@@ -40,8 +41,8 @@ struct CubicCoefficients {
 };
 CubicCoefficients cubic_coefficients(const LawShape& shape, double stiffness, double rest_length);
 
-/// What holds an edge within stretches [least, greatest], on top of its law: nothing between them,
-/// beyond them
+/// A force that holds an edge within stretches [least, greatest], on top of its law: nothing
+/// between them, beyond them
 ///
 ///     T = force u^2 / (1 - u),   u = (s - greatest) / (0.01 greatest)
 ///
@@ -55,7 +56,7 @@ struct StretchLimit {
 };
 EdgeResponse limit_response(const StretchLimit& limit, double rest_length, double s);
 
-/// All that is the same for edges of one kind in an object.
+/// Parameters that all edges of one kind in an object have in common.
 struct EdgeLaw {
     LawShape shape;
     double damping = 0.0;          ///< N s/m, see edge_terms
@@ -117,7 +118,7 @@ public:
         return edge_response(law.shape, stiffness, rest_length, stretch_).energy + limit_.energy;
     }
 
-    /// On end 0. @param rate  v0 - v1, m/s
+    /// Force on end 0, N. @param rate  v0 - v1, m/s
     Vec3 force(const EdgeLaw& law, const Vec3& rate) const {
         const double inverse = 1.0 / std::max(length_, shortest_);
         Vec3 force = (-(tension_ + limit_.tension) * inverse) * difference_ - law.damping * rate;

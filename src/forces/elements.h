@@ -49,7 +49,7 @@ constexpr std::size_t block_index(int n, int a, int b) {
 template <int N, int Blocks = block_count(N)> struct ElementTerms {
     double energy = 0.0;       ///< elastic, J
     std::array<Vec3, N> force; ///< on each vertex, damping included, N
-    std::array<Mat3, static_cast<std::size_t>(Blocks)>
+    std::array<Mat3, at(Blocks)>
         stiffness; ///< upper triangle row by row: (0,0), (0,1) .. (0,N-1), (1,1) ..; N/m
 };
 

@@ -51,7 +51,7 @@ Corners membrane_forces(const Mat32& F,
                         const MembraneStiffness& c,
                         double damping_time);
 
-/// How one triangle is deformed, for output.
+/// Deformation and tension of one triangle, for output.
 struct StrainMeasures {
     double stretch_max, stretch_min; ///< principal stretches; 1 = rest
     double strain_weft, strain_warp; ///< change of length along the yarns, 0 = rest

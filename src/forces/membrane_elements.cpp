@@ -24,7 +24,7 @@ using StrainMap = std::array<std::array<double, 4>, 4>;
 /// Symmetric 4×4 matrix, upper triangle used.
 using Form = std::array<std::array<double, 4>, 4>;
 
-/// To (dS11, dS22, 2 dS12, w).
+/// The map to (dS11, dS22, 2 dS12, w).
 StrainMap strain_map(const PolarFactor& p, const Mat2& gradients) {
     const double trace = p.s11 + p.s22;
     const double inverse = trace > 0.0 ? 1.0 / trace : 0.0; // a point does not spin
@@ -41,7 +41,7 @@ StrainMap strain_map(const PolarFactor& p, const Mat2& gradients) {
     return map;
 }
 
-/// To the Green strain (dE11, dE22, 2 dE12, 0).
+/// The map to the Green strain (dE11, dE22, 2 dE12, 0).
 StrainMap green_strain_map(const PolarFactor& p, const Mat2& gradients) {
     StrainMap map;
     for (std::size_t i = 0; i < 2; ++i) {

@@ -54,7 +54,7 @@ std::array<Mat3, 6> membrane_blocks(const MembraneHessian& hessian,
 
 /// One triangle of a cloth's membrane by itself (forces/elements.h says what elements have).
 struct MembraneTriangle {
-    static constexpr int count = 3; ///< of nodes
+    static constexpr int count = 3; ///< nodes
 
     Triangle nodes;
     RestTriangle rest;

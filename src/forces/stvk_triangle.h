@@ -10,7 +10,7 @@ namespace weft {
 ///
 ///     W = A/2 e^T C e,   e = ((U.U - 1)/2, (V.V - 1)/2, U.V)
 ///
-/// As all of its kind it loses its stiffness under compression: along an axis below the stretch
+/// Like every such law it loses its stiffness under compression: along an axis below the stretch
 /// 0.577. Source: Volino et al. 2009.
 double stvk_energy(const Corners& x, const RestTriangle& rest, const MembraneStiffness& c);
 
@@ -40,7 +40,7 @@ Corners stvk_forces(const Corners& x,
 ///
 ///     Young's modulus (times thickness) 2 K / sqrt 3, poisson 1/3, shear sqrt(3)/4 K.
 ///
-/// With `calibrate` those of the fabric.
+/// With `calibrate` the moduli are those of the fabric.
 MembraneStiffness stvk_stiffness(const ClothParams& cloth);
 
 /// The Saint Venant-Kirchhoff triangles of a whole cloth. Cloth of this model does not adapt.

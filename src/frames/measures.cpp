@@ -1,7 +1,7 @@
 #include "frames/measures.h"
 
 #include "base/parallel.h"
-#include "geometry/lattice_fill.h"
+#include "geometry/lattice.h"
 
 #include <span>
 

@@ -1,6 +1,6 @@
 #include "frames/statistics.h"
 
-#include "adapt/least_rest_angle.h"
+#include "adapt/rest_split.h"
 #include "base/parallel.h"
 #include "frames/cache.h"
 #include "frames/measures.h"

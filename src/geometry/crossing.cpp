@@ -1,9 +1,11 @@
 #include "geometry/crossing.h"
 
+#include "geometry/box_tree.h"
 #include "geometry/predicates.h"
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -12,7 +14,7 @@ namespace weft {
 namespace {
 
 const Vec3& point(std::span<const Vec3> x, Index i) {
-    return x[static_cast<std::size_t>(i)];
+    return x[at(i)];
 }
 
 bool holds(const Triangle& t, Index v) {
@@ -109,6 +111,60 @@ Vec3 crossing_place(const Triangle& s, const Triangle& t, std::span<const Vec3> 
     }
     const auto k = piercing_side(t, s, x);
     return place_on_side(t, k.value_or(0), s, x);
+}
+
+std::vector<std::array<Index, 2>> find_self_crossings(const TriangleMesh& mesh) {
+    const auto x = [&](Index v) -> const Vec3& { return mesh.positions[at(v)]; };
+    std::vector<Box> boxes;
+    boxes.reserve(mesh.triangles.size());
+    for (const Triangle& t : mesh.triangles) {
+        boxes.push_back(
+            unite(segment_box(x(t[0]), x(t[1]), 0.0), segment_box(x(t[2]), x(t[2]), 0.0)));
+    }
+    std::vector<std::array<Index, 2>> crossings;
+    if (boxes.empty()) {
+        return crossings;
+    }
+    const BoxTree tree{std::span<const Box>(boxes)};
+    std::vector<BoxTree::Task> tasks;
+    BoxTree::split(tree, tree, 1, tasks);
+    for (const BoxTree::Task& task : tasks) {
+        BoxTree::overlaps(tree, tree, task, [&](Index s, Index t) {
+            if (triangles_cross(mesh.triangles[at(s)], mesh.triangles[at(t)], mesh.positions)) {
+                crossings.push_back({std::min(s, t), std::max(s, t)});
+            }
+        });
+    }
+    std::sort(crossings.begin(), crossings.end());
+    return crossings;
+}
+
+namespace {
+
+/// Sine of the angle between edge and face below which the edge counts as lying in it: its foot
+/// point would run away.
+constexpr double k_least_slope = 1e-3;
+
+} // namespace
+
+std::optional<Vec3>
+contour_gradient(const Vec3& p, const Vec3& q, std::span<const Vec3> apexes, const Vec3& normal) {
+    const Vec3 edge = (q - p).normalized();
+    double slope = edge.dot(normal);
+    slope = std::copysign(std::max(std::abs(slope), k_least_slope), slope);
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& apex : apexes) {
+        const Vec3 line = edge.cross(apex - p).cross(normal); // the two planes' common direction
+        const double length = line.norm();
+        if (length <= 0.0) {
+            continue;
+        }
+        const Vec3 inward = (apex - p) - edge.dot(apex - p) * edge;
+        const Vec3 contour = std::copysign(1.0 / length, line.dot(inward)) * line;
+        sum += contour - 2.0 * edge.dot(contour) / slope * normal;
+    }
+    const double length = sum.norm();
+    return length > 1e-9 ? std::optional<Vec3>(sum / length) : std::nullopt;
 }
 
 } // namespace weft

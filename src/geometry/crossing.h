@@ -1,7 +1,9 @@
 #pragma once
 
 #include "base/eigen.h"
+#include "geometry/triangle_mesh.h"
 
+#include <optional>
 #include <span>
 
 namespace weft {
@@ -11,7 +13,7 @@ namespace weft {
 bool segment_meets_triangle(
     const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Which corners of two triangles s and t count as a vertex of the other beside those that are.
+/// Corners of two triangles s and t that count as a vertex of the other, beside those that are.
 struct SharedCorners {
     std::array<bool, 3> s{}, t{};
 };
@@ -31,5 +33,22 @@ Vec3 crossing_place(const Triangle& s, const Triangle& t, std::span<const Vec3> 
 /// The ends of the segment that two crossing triangles share, to within rounding, m. They
 /// must cross (asserted).
 std::array<Vec3, 2> crossing_segment(const Triangle& s, const Triangle& t, std::span<const Vec3> x);
+
+/// Pairs of triangles of a mesh that cross, sorted, each with its lower number first. Neighbours
+/// count only where they cross beyond the corners that they share. Exact (triangles_cross).
+std::vector<std::array<Index, 2>> find_self_crossings(const TriangleMesh& mesh);
+
+/// Direction (unit) in which an edge that pierces a face has to move against it so that the curve
+/// in which the two surfaces cross grows shorter.
+///
+/// @param p, q   ends of the edge
+/// @param apexes corners opposite to the edge of its one or two triangles
+/// @param normal of the face, unit
+/// Nothing when the edge lies in the face, or its two triangles pull evenly.
+/// Source: Volino and Magnenat-Thalmann 2006, resolving surface collisions through intersection
+/// contour minimization: sum over the triangles of R - 2 (E.R)/(E.N) N, R the unit direction of
+/// the contour into the triangle.
+std::optional<Vec3>
+contour_gradient(const Vec3& p, const Vec3& q, std::span<const Vec3> apexes, const Vec3& normal);
 
 } // namespace weft

@@ -1,12 +1,94 @@
 #include "geometry/curvature.h"
 
-#include "geometry/dihedral.h"
-#include "geometry/mixed_areas.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace weft {
+
+double dihedral_angle(const Vec3& x0, const Vec3& x1, const Vec3& x2, const Vec3& x3) {
+    const Vec3 e = x1 - x0;
+    const Vec3 n1 = e.cross(x2 - x0);
+    const Vec3 n2 = (x3 - x0).cross(e);
+    const double length = e.norm();
+    if (!(length > 0.0)) {
+        return 0.0;
+    }
+    return std::atan2(n1.cross(n2).dot(e) / length, n1.dot(n2));
+}
+
+std::array<Vec3, 4>
+dihedral_gradient(const Vec3& x0, const Vec3& x1, const Vec3& x2, const Vec3& x3) {
+    const Vec3 e = x1 - x0;
+    const Vec3 n1 = e.cross(x2 - x0);
+    const Vec3 n2 = (x3 - x0).cross(e);
+    const double length = e.norm();
+    const double n1_squared = n1.squaredNorm();
+    const double n2_squared = n2.squaredNorm();
+    if (!(n1_squared > 0.0 && n2_squared > 0.0)) {
+        return {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+    }
+    const Vec3 q1 = n1 / n1_squared;
+    const Vec3 q2 = n2 / n2_squared;
+    return {Vec3(((x1 - x2).dot(e) * q1 + (x1 - x3).dot(e) * q2) / length),
+            Vec3(((x2 - x0).dot(e) * q1 + (x3 - x0).dot(e) * q2) / length), Vec3(-length * q1),
+            Vec3(-length * q2)};
+}
+
+namespace {
+
+/// edges[k] is the edge opposite to corner k, in any number of dimensions.
+template <typename Vec>
+std::array<double, 3> corner_areas(const std::array<Vec, 3>& edges, double area) {
+    std::array<double, 3> cosines{}; // times the lengths of the sides that meet in corner k
+    std::array<double, 3> squared{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        cosines[k] = -edges[(k + 1) % 3].dot(edges[(k + 2) % 3]);
+        squared[k] = edges[k].squaredNorm();
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (cosines[k] < 0.0) {
+            std::array<double, 3> result{area / 4, area / 4, area / 4};
+            result[k] = area / 2;
+            return result;
+        }
+    }
+    if (area <= 0.0) {
+        return {0.0, 0.0, 0.0};
+    }
+    std::array<double, 3> result{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t i = (k + 1) % 3;
+        const std::size_t j = (k + 2) % 3;
+        result[k] = (squared[i] * cosines[i] + squared[j] * cosines[j]) / (16.0 * area);
+    }
+    return result;
+}
+
+} // namespace
+
+std::array<double, 3> mixed_corner_areas(const std::array<Vec2, 3>& corners) {
+    const std::array<Vec2, 3> edges{corners[2] - corners[1], corners[0] - corners[2],
+                                    corners[1] - corners[0]};
+    const double area = 0.5 * std::abs(edges[1].x() * edges[2].y() - edges[1].y() * edges[2].x());
+    return corner_areas(edges, area);
+}
+
+std::array<double, 3> mixed_corner_areas(const Vec3& x0, const Vec3& x1, const Vec3& x2) {
+    return corner_areas(std::array<Vec3, 3>{x2 - x1, x0 - x2, x1 - x0}, triangle_area(x0, x1, x2));
+}
+
+std::vector<double> mixed_areas(std::span<const Vec3> positions,
+                                std::span<const Triangle> triangles) {
+    std::vector<double> areas(positions.size(), 0.0);
+    for (const Triangle& t : triangles) {
+        const auto corner_areas =
+            mixed_corner_areas(positions[at(t[0])], positions[at(t[1])], positions[at(t[2])]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            areas[at(t[k])] += corner_areas[k];
+        }
+    }
+    return areas;
+}
 
 namespace {
 
@@ -84,7 +166,7 @@ std::vector<Vec3> mean_curvature_normals(std::span<const Vec3> positions,
         if (!(doubled_area > 0.0)) {
             continue;
         }
-        const auto shares = mixed_corner_areas(x0, x1, x2);
+        const auto corners = mixed_corner_areas(x0, x1, x2);
         for (std::size_t k = 0; k < 3; ++k) {
             const Index a = t[(k + 1) % 3];
             const Index b = t[(k + 2) % 3];
@@ -94,7 +176,7 @@ std::vector<Vec3> mean_curvature_normals(std::span<const Vec3> positions,
             const Vec3 pull = cotangent * (positions[at(a)] - positions[at(b)]);
             normals[at(a)] += pull;
             normals[at(b)] -= pull;
-            areas[at(t[k])] += shares[k];
+            areas[at(t[k])] += corners[k];
         }
     }
     for (std::size_t i = 0; i < normals.size(); ++i) {

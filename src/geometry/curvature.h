@@ -1,11 +1,36 @@
 #pragma once
 
+#include "base/eigen.h"
 #include "geometry/triangle_mesh.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
 namespace weft {
+
+/// Dihedral angle of the edge (x0, x1) between the triangles (x0, x1, x2) and (x1, x0, x3), rad in
+/// (-pi, pi]: 0 when flat, negative when the apexes x2, x3 are raised along the normals. Triangles
+/// without area count as flat.
+double dihedral_angle(const Vec3& x0, const Vec3& x1, const Vec3& x2, const Vec3& x3);
+
+/// Its gradient by the four points, 1/m; zero when a triangle has no area. Moves with a rigid
+/// motion: the gradients have no sum and no torque.
+/// Source: Bridson et al. 2003; the form of Tamstorf and Grinspun 2013.
+std::array<Vec3, 4>
+dihedral_gradient(const Vec3& x0, const Vec3& x1, const Vec3& x2, const Vec3& x3);
+
+/// Mixed Voronoi areas of a triangle's three corners, m^2; they sum to the triangle's area exactly.
+/// Non-obtuse: the Voronoi regions. Obtuse: half to the obtuse corner, a quarter to the others.
+/// Source: Meyer et al. 2003, "Discrete differential-geometry operators", section 3.3.
+///
+/// @param corners  in the triangle's own plane, m; any orientation; no area gives zeros
+std::array<double, 3> mixed_corner_areas(const std::array<Vec2, 3>& corners);
+std::array<double, 3> mixed_corner_areas(const Vec3& x0, const Vec3& x1, const Vec3& x2);
+
+/// Mixed Voronoi areas of all vertices, #V long, m^2; their sum is the surface's area.
+std::vector<double> mixed_areas(std::span<const Vec3> positions,
+                                std::span<const Triangle> triangles);
 
 /// Mean curvature normal of each vertex, #V long, 1/m: 1/(2 A) sum (cot a + cot b)(x_i - x_j) with
 /// A the mixed area; of length 2 H for an inner vertex. Boundary vertices contain the boundary's

@@ -8,13 +8,13 @@ namespace weft {
 
 using Box3 = Eigen::AlignedBox3d;
 
-/// How far a set of points reaches: the farthest point in each of some hundred fixed directions,
-/// the axes among them. Closer to the convex hull than a box, and as easily merged: what turns in a
+/// Bounds of a set of points: the farthest point in each of some hundred fixed directions, the axes
+/// among them. Closer to the convex hull than a box, and as easily merged: what turns in a
 /// box touches few of its corners.
 class Extent {
 public:
     Extent();
-    /// Of the eight corners; empty for an empty box. Not explicit: a box is an extent.
+    /// The extent of the eight corners; empty for an empty box. Not explicit: a box is an extent.
     Extent(const Box3& box);
 
     void extend(const Vec3& x);
@@ -26,8 +26,8 @@ public:
     /// The smallest box, exact.
     Box3 box() const;
 
-    /// How far this reaches beyond `other`, the most over all directions, m; <= 0: not at all.
-    /// Both must hold points.
+    /// Distance by which this reaches beyond `other`, the most over all directions, m; <= 0: not at
+    /// all. Both must hold points.
     double excess_over(const Extent& other) const;
     /// The same straight down (-y) alone.
     double excess_below(const Extent& other) const;

@@ -9,7 +9,7 @@ namespace weft {
 namespace {
 
 /// Share of the thickness that may be drawn in from one side: opposite sides must not meet.
-constexpr double k_thickness_share = 0.45;
+constexpr double k_thickness_fraction = 0.45;
 
 /// Most by which the limit may change along the surface, m/m. Larger: steps in the drawn-in
 /// surface.
@@ -74,9 +74,9 @@ Inset find_inset(std::span<const Vec3> positions,
         [&](std::size_t v) {
             const Vec3& normal = surface.vertex_normal(static_cast<Index>(v));
             inset.inward[v] = -normal;
-            const double reach = greatest / k_thickness_share;
+            const double reach = greatest / k_thickness_fraction;
             const auto opposite = surface.first_hit(positions[v], -normal, reach);
-            inset.limit[v] = k_thickness_share * opposite.value_or(reach);
+            inset.limit[v] = k_thickness_fraction * opposite.value_or(reach);
         },
         32);
     smooth(positions, triangles, inset.limit);

@@ -1,44 +1,79 @@
 #include "geometry/lattice_fill.h"
 
-#include "geometry/block_parts.h"
+#include "base/disjoint_sets.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 namespace weft {
 
 namespace {
 
+// Sets of the 64 fine cells of a lattice's cell as bits: fine cell (x, y, z) is bit x + 4 (y + 4
+// z).
+
+/// Fine cells whose coordinate along an axis is 0.
+constexpr std::array<std::uint64_t, 3> k_low_face{0x1111111111111111U, 0x000F000F000F000FU,
+                                                  0x000000000000FFFFU};
+/// Bits from a fine cell to the next one along an axis.
+constexpr std::array<int, 3> k_step{1, 4, 16};
+
+/// A set and all fine cells beside it.
+std::uint64_t grown(std::uint64_t set) {
+    std::uint64_t all = set;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::uint64_t high_face = k_low_face[axis] << 3 * k_step[axis];
+        all |= (set & ~high_face) << k_step[axis];
+        all |= (set & ~k_low_face[axis]) >> k_step[axis];
+    }
+    return all;
+}
+
+/// The parts of a set that are connected through faces of fine cells, by their lowest bits.
+std::vector<std::uint64_t> connected_sets(std::uint64_t set) {
+    std::vector<std::uint64_t> parts;
+    while (set != 0) {
+        std::uint64_t part = set & (~set + 1);
+        for (std::uint64_t next = grown(part) & set; next != part; next = grown(part) & set) {
+            part = next;
+        }
+        parts.push_back(part);
+        set &= ~part;
+    }
+    return parts;
+}
+
+/// Do a set of one cell and a set of the next one along an axis (0, 1, 2) meet in the common face?
+bool meet_over_face(std::uint64_t low, std::uint64_t high, int axis) {
+    return (low >> 3 * k_step[at(axis)] & high & k_low_face[at(axis)]) != 0;
+}
+
+/// Sum over a set of the fractions of its fine cells that are inside, each times the trilinear
+/// weight of a corner (x + 2 y + 4 z) at the middle of the fine cell, in volumes of the cell.
+double corner_volume(const std::array<double, 64>& fractions, std::uint64_t set, int corner) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 64; ++i) {
+        if ((set >> i & 1) == 0) {
+            continue;
+        }
+        double weight = 1.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto step = at(k_step[at(axis)]);
+            const double along = (static_cast<double>(i / step % 4) + 0.5) / 4.0;
+            weight *= (corner >> axis & 1) != 0 ? along : 1.0 - along;
+        }
+        sum += fractions[i] * weight;
+    }
+    return sum / 64.0;
+}
+
 /// One part of the inside in one cell.
 struct CellPart {
-    Index cell;         ///< of the lattice
+    Index cell;         ///< number in the lattice
     std::uint64_t fine; ///< its fine cells
-    Index block;        ///< of the raster; k_full: all of the cell
-};
-
-/// Sets of corners of cells that are one particle.
-class CornerSets {
-public:
-    explicit CornerSets(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), 0);
-    }
-    Index find(Index i) {
-        while (parent_[at(i)] != i) {
-            parent_[at(i)] = parent_[at(parent_[at(i)])];
-            i = parent_[at(i)];
-        }
-        return i;
-    }
-    void join(Index a, Index b) {
-        a = find(a);
-        b = find(b);
-        parent_[at(std::max(a, b))] = std::min(a, b);
-    }
-
-private:
-    std::vector<Index> parent_;
+    Index block;        ///< number in the raster; k_full: all of the cell
 };
 
 class Filler {
@@ -51,7 +86,7 @@ public:
         fill_.surface = surface_;
         find_parts();
         make_particles();
-        share_volumes();
+        give_volumes();
         if (!parts_.empty()) {
             place_surface();
         }
@@ -86,7 +121,7 @@ private:
     }
 
     /// Joins the corners on the common face of parts of neighbouring cells that meet there.
-    void join_over_face(CornerSets& sets, Index part, int axis) const {
+    void join_over_face(DisjointSets& sets, Index part, int axis) const {
         const auto place = place_of(parts_[at(part)].cell);
         if (place[at(axis)] + 1 == lattice_.size[at(axis)]) {
             return;
@@ -109,7 +144,7 @@ private:
     }
 
     void make_particles() {
-        CornerSets sets(8 * parts_.size());
+        DisjointSets sets(8 * parts_.size());
         for (Index part = 0; part < static_cast<Index>(parts_.size()); ++part) {
             for (int axis = 0; axis < 3; ++axis) {
                 join_over_face(sets, part, axis);
@@ -132,18 +167,18 @@ private:
         }
     }
 
-    void share_volumes() {
+    void give_volumes() {
         const double cell_volume = std::pow(lattice_.spacing, 3);
         fill_.volumes.assign(fill_.particles.size(), 0.0);
         for (std::size_t p = 0; p < parts_.size(); ++p) {
             const CellPart& part = parts_[p];
             for (std::size_t corner = 0; corner < 8; ++corner) {
-                double share = 0.125;
+                double fraction = 0.125;
                 if (part.block >= 0) {
-                    share = corner_share(raster_.blocks[at(part.block)].shares, part.fine,
-                                         static_cast<int>(corner));
+                    fraction = corner_volume(raster_.blocks[at(part.block)].fractions, part.fine,
+                                             static_cast<int>(corner));
                 }
-                fill_.volumes[at(fill_.cells[p][corner])] += share * cell_volume;
+                fill_.volumes[at(fill_.cells[p][corner])] += fraction * cell_volume;
             }
         }
     }
@@ -225,7 +260,8 @@ private:
         return k_no_index;
     }
 
-    /// For a rim of an open surface that winding leaves outside: the part whose cell is nearest.
+    /// The part whose cell is nearest. The winding number leaves the rim of an open surface outside
+    /// all parts.
     Index nearest_part(const Vec3& local) const {
         assert(!parts_.empty());
         Index best = 0;
@@ -266,7 +302,7 @@ private:
     const LatticeRaster& raster_;
     const Lattice& lattice_;
     const TriangleMesh& surface_;
-    std::vector<CellPart> parts_;   ///< by ascending cell
+    std::vector<CellPart> parts_;   ///< sorted by cell
     std::vector<Index> first_part_; ///< #cells + 1
     LatticeFill fill_;
 };

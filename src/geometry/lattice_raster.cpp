@@ -1,10 +1,10 @@
 #include "geometry/lattice_raster.h"
 
 #include "base/parallel.h"
-#include "geometry/triangle_pieces.h"
 #include "geometry/winding_number.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -12,6 +12,79 @@
 namespace weft {
 
 namespace {
+
+/// A convex polygon that is left of a triangle cut at the faces of a cube.
+struct PiecePolygon {
+    std::array<Vec3, 9> corners;
+    std::size_t count = 0;
+};
+
+/// The part where sign * (x[axis] - bound) >= 0, by Sutherland and Hodgman 1974.
+PiecePolygon cut(const PiecePolygon& polygon, int axis, double bound, double sign) {
+    PiecePolygon part;
+    for (std::size_t k = 0; k < polygon.count; ++k) {
+        const Vec3& a = polygon.corners[k];
+        const Vec3& b = polygon.corners[(k + 1) % polygon.count];
+        const double at_a = sign * (a[axis] - bound);
+        const double at_b = sign * (b[axis] - bound);
+        if (at_a >= 0.0) {
+            assert(part.count < part.corners.size());
+            part.corners[part.count++] = a;
+        }
+        if ((at_a > 0.0 && at_b < 0.0) || (at_a < 0.0 && at_b > 0.0)) {
+            assert(part.count < part.corners.size());
+            Vec3 between = a + at_a / (at_a - at_b) * (b - a);
+            between[axis] = bound;
+            part.corners[part.count++] = between;
+        }
+    }
+    return part;
+}
+
+/// The part of a polygon between low and high along an axis; what lies in a bound is kept.
+PiecePolygon cut_to_slab(const PiecePolygon& polygon, int axis, double low, double high) {
+    const PiecePolygon above = cut(polygon, axis, low, 1.0);
+    return cut(above, axis, high, -1.0);
+}
+
+/// Cuts a triangle at the planes of the unit lattice and calls f(cell, piece) for each cell, of
+/// `size` cells from 0 on, that holds a piece of it; what lies outside goes to the outermost ones.
+/// A piece within a plane goes to one of the cells beside it.
+template <typename F>
+void for_each_piece(const std::array<Vec3, 3>& triangle,
+                    const std::array<int, 3>& size,
+                    const F& f) {
+    const auto for_each_slab = [&](const PiecePolygon& polygon, int axis, const auto& go_on) {
+        double least = polygon.corners[0][axis];
+        double greatest = least;
+        for (std::size_t k = 1; k < polygon.count; ++k) {
+            least = std::min(least, polygon.corners[k][axis]);
+            greatest = std::max(greatest, polygon.corners[k][axis]);
+        }
+        const int most = size[at(axis)] - 1;
+        const int first = std::clamp(static_cast<int>(std::floor(least)), 0, most);
+        const int last = std::clamp(static_cast<int>(std::ceil(greatest)) - 1, first, most);
+        for (int i = first; i <= last; ++i) {
+            const PiecePolygon part = first == last
+                                          ? polygon
+                                          : cut_to_slab(polygon, axis, i == first ? least : i,
+                                                        i == last ? greatest : i + 1);
+            if (part.count > 0) {
+                go_on(i, part);
+            }
+        }
+    };
+    PiecePolygon whole;
+    std::copy(triangle.begin(), triangle.end(), whole.corners.begin());
+    whole.count = 3;
+    for_each_slab(whole, 0, [&](int x, const PiecePolygon& column) {
+        for_each_slab(column, 1, [&](int y, const PiecePolygon& row) {
+            for_each_slab(row, 2, [&](int z, const PiecePolygon& piece) {
+                f(std::array<int, 3>{x, y, z}, piece);
+            });
+        });
+    });
+}
 
 /// A piece nearer to a face of a fine cell than this lies in the face, in edges of fine cells:
 /// beyond rounding of the largest lattices. Larger: vertices stand further outside their cells.
@@ -32,7 +105,7 @@ public:
     void add(const std::array<int, 3>& fine, const PiecePolygon& piece) {
         const Index block = block_of(fine);
         const int i = fine[0] % k_fine + k_fine * (fine[1] % k_fine + k_fine * (fine[2] % k_fine));
-        const auto slot = static_cast<std::size_t>(i);
+        const auto slot = at(i);
         const Vec2 sums = area_and_height(piece, fine[2]);
         sums_[at(block)].areas[slot] += sums[0];
         sums_[at(block)].heights[slot] += sums[1];
@@ -91,7 +164,8 @@ LatticeRaster cut_surface(const TriangleMesh& mesh, double spacing, std::vector<
     std::array<int, 3> fine_size{};
     std::transform(lattice.size.begin(), lattice.size.end(), fine_size.begin(),
                    [](int n) { return k_fine * n; });
-    // From the middle of the lattice, where the box of the mesh has its own, rounding is least.
+    // Coordinates are taken from the middle of the lattice, which is that of the mesh: rounding is
+    // least there.
     const Vec3 half = 0.5 * Vec3(fine_size[0], fine_size[1], fine_size[2]);
     const Vec3 middle = lattice.origin + half * (spacing / k_fine);
     PieceCollector collector(raster, sums);
@@ -111,7 +185,7 @@ LatticeRaster cut_surface(const TriangleMesh& mesh, double spacing, std::vector<
 /// A fine cell through which no piece of the surface passes is inside or outside as a whole.
 void touch_full(LatticeBlock& block) {
     for (std::size_t i = 0; i < 64; ++i) {
-        block.touched |= block.shares[i] > 0.5 ? std::uint64_t{1} << i : 0;
+        block.touched |= block.fractions[i] > 0.5 ? std::uint64_t{1} << i : 0;
     }
 }
 
@@ -130,7 +204,7 @@ void sum_column(LatticeRaster& raster, const std::vector<PieceSums>& sums, std::
         LatticeBlock& block = raster.blocks[at(cell)];
         for (std::size_t i = 64; i-- > 0;) {
             double& area = areas[i % 16];
-            block.shares[i] = std::clamp(area + sums[at(cell)].heights[i], 0.0, 1.0);
+            block.fractions[i] = std::clamp(area + sums[at(cell)].heights[i], 0.0, 1.0);
             area += sums[at(cell)].areas[i];
         }
         touch_full(block);
@@ -186,7 +260,7 @@ LatticeRaster raster_by_winding(const TriangleMesh& mesh, double spacing) {
                                                static_cast<int>(c[2]));
         Index& cell = raster.cells[i];
         if (cell < 0) {
-            const bool is_inside = winding.at(low + Vec3::Constant(0.5 * spacing)) > 0.5;
+            const bool is_inside = winding.around(low + Vec3::Constant(0.5 * spacing)) > 0.5;
             cell = is_inside ? LatticeRaster::k_full : LatticeRaster::k_outside;
             return;
         }
@@ -195,7 +269,8 @@ LatticeRaster raster_by_winding(const TriangleMesh& mesh, double spacing) {
             const Vec3 middle(static_cast<double>(f % 4) + 0.5,
                               static_cast<double>(f / 4 % 4) + 0.5,
                               static_cast<double>(f / 16) + 0.5);
-            block.shares[f] = winding.at(low + (spacing / k_fine) * middle) > 0.5 ? 1.0 : 0.0;
+            block.fractions[f] =
+                winding.around(low + (spacing / k_fine) * middle) > 0.5 ? 1.0 : 0.0;
         }
         touch_full(block);
     });

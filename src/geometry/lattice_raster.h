@@ -23,11 +23,11 @@ inline constexpr int k_fine = 4;
 /// A cell that the surface passes through, cut into 64 fine ones: fine cell (x, y, z) is number
 /// x + 4 (y + 4 z).
 struct LatticeBlock {
-    std::uint64_t touched = 0;       ///< bit i: part of the inside lies in fine cell i
-    std::array<double, 64> shares{}; ///< of fine cell i that is inside, 0 to 1
+    std::uint64_t touched = 0;          ///< bit i: part of the inside lies in fine cell i
+    std::array<double, 64> fractions{}; ///< [i]: part of fine cell i that is inside, 0 to 1
 };
 
-/// Which part of each cell of a lattice lies inside a surface.
+/// The part of each cell of a lattice that lies inside a surface.
 struct LatticeRaster {
     static constexpr Index k_outside = -1, k_full = -2;
 
@@ -40,8 +40,8 @@ struct LatticeRaster {
 Lattice lattice_around(const TriangleMesh& mesh, double spacing);
 
 /// The inside of a closed mesh that does not cross itself, its triangles counter-clockwise seen
-/// from outside. The shares are exact but for rounding: each triangle is cut at the planes of the
-/// fine cells, and a column of them is summed up from above by the divergence theorem.
+/// from outside. The fractions are exact but for rounding: each triangle is cut at the planes of
+/// the fine cells, and a column of them is summed up from above by the divergence theorem.
 LatticeRaster raster_closed(const TriangleMesh& mesh, double spacing);
 
 /// The inside of any mesh: where its generalized winding number exceeds one half, asked at the

@@ -13,8 +13,7 @@ namespace weft {
 namespace {
 
 bool in_range(const Triangle& t, std::size_t vertices) {
-    return std::all_of(t.begin(), t.end(),
-                       [&](Index v) { return v >= 0 && static_cast<std::size_t>(v) < vertices; });
+    return std::all_of(t.begin(), t.end(), [&](Index v) { return v >= 0 && at(v) < vertices; });
 }
 
 bool has_equal_corners(const Triangle& t) {
@@ -27,8 +26,8 @@ void find_bad_vertices(std::span<const Vec3> positions,
     std::vector<char> used(positions.size(), 0);
     for (const Triangle& t : triangles) {
         for (const Index v : t) {
-            if (v >= 0 && static_cast<std::size_t>(v) < positions.size()) {
-                used[static_cast<std::size_t>(v)] = 1;
+            if (v >= 0 && at(v) < positions.size()) {
+                used[at(v)] = 1;
             }
         }
     }
@@ -45,12 +44,10 @@ void find_bad_vertices(std::span<const Vec3> positions,
 void find_bad_triangles(std::span<const Vec3> positions,
                         std::span<const Triangle> triangles,
                         MeshDefects& defects) {
-    const double least = k_least_altitude_share * bounding_diagonal(positions);
+    const double least = k_least_altitude_fraction * bounding_diagonal(positions);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const Triangle& t = triangles[i];
-        const auto x = [&](int k) -> const Vec3& {
-            return positions[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
-        };
+        const auto x = [&](int k) -> const Vec3& { return positions[at(t[at(k)])]; };
         if (!in_range(t, positions.size())) {
             defects.out_of_range.push_back(static_cast<Index>(i));
         } else if (has_equal_corners(t) || least_altitude(x(0), x(1), x(2)) <= least) {

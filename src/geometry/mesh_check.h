@@ -8,20 +8,20 @@
 
 namespace weft {
 
-/// A triangle whose least altitude is below this share of the bounding box's diagonal counts as
+/// A triangle whose least altitude is below this fraction of the bounding box's diagonal counts as
 /// degenerate: its shape is rounding noise in a file of single precision. Larger refuses thin but
 /// honest slivers; smaller lets through triangles whose strain cannot be computed.
-inline constexpr double k_least_altitude_share = 1e-6;
+inline constexpr double k_least_altitude_fraction = 1e-6;
 
-/// What is wrong with a mesh, by element number; all lists ascending. Checks that need sound input
+/// The defects of a mesh, by element number; all lists ascending. Checks that need sound input
 /// leave out the elements already listed above them.
 struct MeshDefects {
     std::vector<Index> not_finite;      ///< vertices with a NaN or infinite coordinate
     std::vector<Index> out_of_range;    ///< triangles that name a vertex that is not there
-    std::vector<Index> unused_vertices; ///< in no triangle
+    std::vector<Index> unused_vertices; ///< vertices in no triangle
     std::vector<Index> degenerate;      ///< triangles with a corner twice, or next to no altitude
     std::vector<Index> duplicates;      ///< triangles with the same corners as an earlier one
-    std::vector<std::array<Index, 2>> non_manifold_edges; ///< with more than two triangles
+    std::vector<std::array<Index, 2>> non_manifold_edges; ///< edges with more than two triangles
     std::vector<std::array<Index, 2>> winding_edges; ///< their two triangles run the same way along
     std::vector<Index> pinched_vertices;             ///< where fans of triangles touch in a point
 

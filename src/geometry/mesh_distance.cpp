@@ -19,7 +19,7 @@ Neighbours find_neighbours(std::size_t vertices, std::span<const Triangle> trian
     n.first.assign(vertices + 1, 0);
     for (const Triangle& t : triangles) {
         for (const Index v : t) {
-            n.first[static_cast<std::size_t>(v) + 1] += 2;
+            n.first[at(v) + 1] += 2;
         }
     }
     for (std::size_t v = 0; v < vertices; ++v) {
@@ -29,9 +29,9 @@ Neighbours find_neighbours(std::size_t vertices, std::span<const Triangle> trian
     std::vector<std::size_t> next = n.first;
     for (const Triangle& t : triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
-            std::size_t& at = next[static_cast<std::size_t>(t[k])];
-            n.vertex[at++] = t[(k + 1) % 3];
-            n.vertex[at++] = t[(k + 2) % 3];
+            std::size_t& slot = next[at(t[k])];
+            n.vertex[slot++] = t[(k + 1) % 3];
+            n.vertex[slot++] = t[(k + 2) % 3];
         }
     }
     return n;
@@ -57,12 +57,12 @@ MeshDistances mesh_distances(std::span<const Vec3> positions,
     while (!open.empty()) {
         const auto [cost, vertex] = open.top();
         open.pop();
-        const auto v = static_cast<std::size_t>(vertex);
+        const auto v = at(vertex);
         if (cost > result.cost[v]) {
             continue; // a cheaper way was found meanwhile
         }
         for (std::size_t i = neighbours.first[v]; i < neighbours.first[v + 1]; ++i) {
-            const auto w = static_cast<std::size_t>(neighbours.vertex[i]);
+            const auto w = at(neighbours.vertex[i]);
             const double to_w = cost + (positions[w] - positions[v]).norm();
             if (to_w < result.cost[w]) {
                 result.cost[w] = to_w;

@@ -5,6 +5,51 @@
 
 namespace weft {
 
+VertexStars::VertexStars(std::span<const Triangle> triangles, Index vertex_count)
+    : first_(at(vertex_count), k_no_index), next_(3 * triangles.size(), k_no_index) {
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        add(static_cast<Index>(t), triangles[t]);
+    }
+}
+
+void VertexStars::add(Index t, const Triangle& corners) {
+    const auto vertices = at(std::max({corners[0], corners[1], corners[2]})) + 1;
+    if (first_.size() < vertices) {
+        first_.resize(vertices, k_no_index);
+    }
+    if (next_.size() < 3 * (at(t) + 1)) {
+        next_.resize(3 * (at(t) + 1), k_no_index);
+    }
+    for (Index k = 0; k < 3; ++k) {
+        Index& first = first_[at(corners[at(k)])];
+        next_[at(3 * t + k)] = first;
+        first = 3 * t + k;
+    }
+}
+
+void VertexStars::remove(Index t, const Triangle& corners) {
+    for (Index k = 0; k < 3; ++k) {
+        Index* link = &first_[at(corners[at(k)])];
+        while (*link != 3 * t + k) {
+            assert(*link != k_no_index);
+            link = &next_[at(*link)];
+        }
+        *link = next_[at(3 * t + k)];
+    }
+}
+
+void VertexStars::triangles_of(Index v, std::vector<Index>& star) const {
+    star.clear();
+    for (Index corner = first_[at(v)]; corner != k_no_index; corner = next_[at(corner)]) {
+        star.push_back(corner / 3);
+    }
+    std::sort(star.begin(), star.end());
+}
+
+bool VertexStars::is_empty(Index v) const {
+    return first_[at(v)] == k_no_index;
+}
+
 namespace {
 
 constexpr Triangle k_dead_triangle{k_no_index, k_no_index, k_no_index};
@@ -40,7 +85,7 @@ struct Mesh {
         return static_cast<Index>(m.topology.edges.size()) - 1;
     }
 
-    /// On triangle `from`'s side of e now lies triangle `to` with that apex.
+    /// Replaces triangle `from` at edge e by triangle `to` with that apex.
     void set_side(Index e, Index from, Index to, Index apex) {
         const std::size_t side = side_of(edge(e), from);
         edge(e).triangle[side] = to;
@@ -51,12 +96,18 @@ struct Mesh {
     void kill_edge(Index e) { edge(e) = k_dead_edge; }
 };
 
-/// Cuts t = (P, a, b) on one side of e; `first` and `last` are the edges (a, v1) and (v2, b).
-std::array<Index, 2> trisect_side(
-    Mesh mesh, Index t, std::size_t side, Index e, Index first, Index last, Index v1, Index v2) {
+/// An edge (a, b) being cut in three: (a, v1), the middle one (v1, v2), and (v2, b).
+struct CutEdge {
+    Index first, middle, last;
+    Index v1, v2;
+};
+
+/// Cuts t = (P, a, b), which lies on that side of the edge.
+std::array<Index, 2> trisect_side(Mesh mesh, Index t, std::size_t side, const CutEdge& cut) {
+    const auto [first, middle, last, v1, v2] = cut;
     const auto [P, a, b] = mesh.triangle(t);
     const auto [opposite, b_P, P_a] = mesh.edges_of(t);
-    assert(opposite == e);
+    assert(opposite == middle);
 
     const Index to_v1 = mesh.add(MeshEdge{{P, v1}, {t, k_no_index}, {v2, a}});
     const Index to_v2 = mesh.add(MeshEdge{{v2, P}, {t, k_no_index}, {v1, b}});
@@ -64,7 +115,7 @@ std::array<Index, 2> trisect_side(
     const Index at_last = mesh.add(Triangle{v2, b, P}, {b_P, to_v2, last});
     mesh.edge(to_v1).triangle[1] = at_first;
     mesh.edge(to_v2).triangle[1] = at_last;
-    mesh.set(t, {P, v1, v2}, {e, to_v2, to_v1});
+    mesh.set(t, {P, v1, v2}, {middle, to_v2, to_v1});
     mesh.set_side(P_a, t, at_first, v1);
     mesh.set_side(b_P, t, at_last, v2);
     mesh.edge(first).triangle[side] = at_first;
@@ -219,11 +270,11 @@ Trisection trisect_edge(EditedMesh edited, Index e, Index v1, Index v2) {
     const Index last = mesh.add(MeshEdge{{v2, b}, open.triangle, open.apex});
 
     Trisection result{{k_no_index, k_no_index}, {k_no_index, k_no_index}};
-    const auto near = trisect_side(mesh, edge.triangle[0], 0, e, first, last, v1, v2);
+    const auto near = trisect_side(mesh, edge.triangle[0], 0, {first, e, last, v1, v2});
     result.at_first[0] = near[0];
     result.at_last[0] = near[1];
     if (!edge.is_boundary()) { // seen from the other side the edge runs from b to a
-        const auto far = trisect_side(mesh, edge.triangle[1], 1, e, last, first, v2, v1);
+        const auto far = trisect_side(mesh, edge.triangle[1], 1, {last, e, first, v2, v1});
         result.at_last[1] = far[0];
         result.at_first[1] = far[1];
     }

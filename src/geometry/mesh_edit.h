@@ -59,8 +59,8 @@ void unflip_edge(EditedMesh mesh, Index e);
 
 /// Slots that a trisection takes. [s] is on side s of the edge; k_no_index beyond a boundary.
 struct Trisection {
-    std::array<Index, 2> at_first; ///< on side 0 (v1, P, a), on side 1 (v1, a, Q)
-    std::array<Index, 2> at_last;  ///< on side 0 (v2, b, P), on side 1 (v2, Q, b)
+    std::array<Index, 2> at_first; ///< (v1, P, a) on side 0, (v1, a, Q) on side 1
+    std::array<Index, 2> at_last;  ///< (v2, b, P) on side 0, (v2, Q, b) on side 1
 };
 
 /// Cuts edge e = (a, b) at the new vertices v1, nearer to a, and v2. Both of its triangles are cut
@@ -84,5 +84,29 @@ void move_edge(EditedMesh mesh, Index from, Index to);
 
 /// Names vertex `from` `to` in the triangles given, all that have it, and in their edges.
 void rename_vertex(EditedMesh mesh, std::span<const Index> star, Index from, Index to);
+
+/// The triangles around each vertex of a mesh that changes: a list through the corners, so that
+/// pinched vertices and any valence are right, and a triangle comes and goes at the cost of its
+/// corners' valence.
+class VertexStars {
+public:
+    VertexStars() = default;
+    VertexStars(std::span<const Triangle> triangles, Index vertex_count);
+
+    /// Enters triangle t; vertices and triangles beyond the present ones are made room for.
+    void add(Index t, const Triangle& corners);
+
+    /// Takes triangle t out again; corners as it was entered.
+    void remove(Index t, const Triangle& corners);
+
+    /// Fills `star` with the triangles that have vertex v, ascending.
+    void triangles_of(Index v, std::vector<Index>& star) const;
+
+    bool is_empty(Index v) const;
+
+private:
+    std::vector<Index> first_; ///< by vertex: 3 t + k of a corner there, or k_no_index
+    std::vector<Index> next_;  ///< by 3 t + k: the next corner at the same vertex
+};
 
 } // namespace weft

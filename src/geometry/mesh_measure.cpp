@@ -13,9 +13,9 @@ namespace weft {
 
 namespace {
 
-const Vec3& at(const TriangleMesh& mesh, Index v) {
-    assert(v >= 0 && static_cast<std::size_t>(v) < mesh.positions.size());
-    return mesh.positions[static_cast<std::size_t>(v)];
+const Vec3& position(const TriangleMesh& mesh, Index v) {
+    assert(v >= 0 && at(v) < mesh.positions.size());
+    return mesh.positions[at(v)];
 }
 
 /// Angle at `apex` between the directions to `a` and `b`, rad; exact for thin triangles too.
@@ -29,9 +29,9 @@ void measure_triangles(const TriangleMesh& mesh, MeshMeasure& m) {
     m.least_angle = m.least_altitude = std::numeric_limits<double>::infinity();
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const Triangle& corners = mesh.triangles[t];
-        const Vec3& a = at(mesh, corners[0]);
-        const Vec3& b = at(mesh, corners[1]);
-        const Vec3& c = at(mesh, corners[2]);
+        const Vec3& a = position(mesh, corners[0]);
+        const Vec3& b = position(mesh, corners[1]);
+        const Vec3& c = position(mesh, corners[2]);
         const double angle = std::min({angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b)});
         if (angle < m.least_angle) {
             m.least_angle = angle;
@@ -51,7 +51,7 @@ void measure_edges(const TriangleMesh& mesh, const EdgeTopology& topology, MeshM
     m.edge_min = std::numeric_limits<double>::infinity();
     double sum = 0.0;
     for (const MeshEdge& edge : topology.edges) {
-        const double length = (at(mesh, edge.v[1]) - at(mesh, edge.v[0])).norm();
+        const double length = (position(mesh, edge.v[1]) - position(mesh, edge.v[0])).norm();
         m.edge_min = std::min(m.edge_min, length);
         m.edge_max = std::max(m.edge_max, length);
         sum += length;
@@ -63,7 +63,8 @@ void measure_loops(const TriangleMesh& mesh, const EdgeTopology& topology, MeshM
     for (const std::vector<Index>& loop : boundary_loops(topology)) {
         LoopMeasure measure{loop.size(), 0.0};
         for (std::size_t i = 0; i < loop.size(); ++i) {
-            measure.length += (at(mesh, loop[(i + 1) % loop.size()]) - at(mesh, loop[i])).norm();
+            measure.length +=
+                (position(mesh, loop[(i + 1) % loop.size()]) - position(mesh, loop[i])).norm();
         }
         m.loops.push_back(measure);
     }
@@ -109,7 +110,7 @@ UvMeasure measure_uv(std::span<const Triangle> triangles,
         return t;
     };
     const auto uv_at = [&](Index triangle, Index vertex) {
-        const auto t = static_cast<std::size_t>(triangle);
+        const auto t = at(triangle);
         const auto corner = std::find(triangles[t].begin(), triangles[t].end(), vertex);
         return corner_uv[t][static_cast<std::size_t>(corner - triangles[t].begin())];
     };
@@ -125,8 +126,8 @@ UvMeasure measure_uv(std::span<const Triangle> triangles,
         if (jump(edge.v[0]) > k_same_uv || jump(edge.v[1]) > k_same_uv) {
             ++measure.seam_edges;
         } else {
-            const std::size_t a = find(static_cast<std::size_t>(edge.triangle[0]));
-            const std::size_t b = find(static_cast<std::size_t>(edge.triangle[1]));
+            const std::size_t a = find(at(edge.triangle[0]));
+            const std::size_t b = find(at(edge.triangle[1]));
             root[std::max(a, b)] = std::min(a, b);
         }
     }
@@ -134,6 +135,30 @@ UvMeasure measure_uv(std::span<const Triangle> triangles,
         measure.islands += root[t] == t ? 1 : 0;
     }
     return measure;
+}
+
+MassMoments mass_moments(const TriangleMesh& mesh) {
+    MassMoments moments;
+    const Vec3 origin = mesh.positions[at(mesh.triangles[0][0])];
+    Vec3 first = Vec3::Zero();
+    Mat3 second = Mat3::Zero();
+    for (const Triangle& t : mesh.triangles) {
+        const auto corner = [&](std::size_t k) { return Vec3(mesh.positions[at(t[k])] - origin); };
+        const Vec3 a = corner(0);
+        const Vec3 b = corner(1);
+        const Vec3 c = corner(2);
+        const double volume = a.dot(b.cross(c)) / 6.0;
+        const Vec3 sum = a + b + c;
+        moments.volume += volume;
+        first += volume / 4.0 * sum;
+        second +=
+            volume / 20.0 *
+            (sum * sum.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
+    }
+    const Vec3 centre = first / moments.volume;
+    moments.centre = origin + centre;
+    moments.second = second / moments.volume - centre * centre.transpose();
+    return moments;
 }
 
 } // namespace weft

@@ -13,9 +13,9 @@ struct LoopMeasure {
     double length = 0.0; ///< m
 };
 
-/// What a person wants to know of a mesh before simulating it. Lengths in m.
+/// Size and quality of a mesh, for a person who is about to simulate it. Lengths are in m.
 struct MeshMeasure {
-    Vec3 low{0.0, 0.0, 0.0}; ///< of the bounding box
+    Vec3 low{0.0, 0.0, 0.0}; ///< corner of the bounding box
     Vec3 high{0.0, 0.0, 0.0};
     int parts = 0;
     std::vector<LoopMeasure> loops; ///< longest first
@@ -37,7 +37,7 @@ struct MeshMeasure {
 /// Measures a mesh; all zero when it has no triangles. Indices must be in range (asserted).
 MeshMeasure measure_mesh(const TriangleMesh& mesh);
 
-/// How a flat pattern lies on a mesh.
+/// Seams and parts of the flat pattern of a mesh.
 struct UvMeasure {
     std::size_t seam_edges = 0; ///< inner edges across which uv jumps
     int islands = 0;            ///< parts of the pattern
@@ -46,5 +46,17 @@ struct UvMeasure {
 /// @param corner_uv  #T, uv of each triangle corner
 UvMeasure measure_uv(std::span<const Triangle> triangles,
                      std::span<const std::array<Vec2, 3>> corner_uv);
+
+/// Volume and second moments of a body of uniform density inside a closed mesh.
+struct MassMoments {
+    double volume = 0.0;        ///< m^3; < 0 where the mesh is inside out
+    Vec3 centre = Vec3::Zero(); ///< m
+    Mat3 second = Mat3::Zero(); ///< mean of r r^T, r from the centre, m^2
+};
+
+/// Exact for the mesh: sums over the tetrahedra that its triangles make with one point. The mesh
+/// must be closed, and enclose something (volume not 0).
+/// Source: Blow and Binstock 2004, inertia of a polyhedron from covariances of tetrahedra.
+MassMoments mass_moments(const TriangleMesh& mesh);
 
 } // namespace weft

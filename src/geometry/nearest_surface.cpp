@@ -1,6 +1,6 @@
 #include "geometry/nearest_surface.h"
 
-#include "geometry/closest_points.h"
+#include "geometry/distance.h"
 
 namespace weft {
 

@@ -33,9 +33,7 @@ public:
     std::optional<double> first_hit(const Vec3& p, const Vec3& direction, double reach) const;
 
     /// Mean normal of the surface around a vertex; zero for one in no triangle.
-    const Vec3& vertex_normal(Index v) const {
-        return vertex_normals_[static_cast<std::size_t>(v)];
-    }
+    const Vec3& vertex_normal(Index v) const { return vertex_normals_[at(v)]; }
 
 private:
     Vec3 normal_at(Index triangle, const Vec3& weights, bool& is_on_boundary) const;

@@ -10,7 +10,7 @@ struct PolarFactor {
     Mat32 R;
     Vec3 normal;          ///< unit, R.col(0) x R.col(1)
     double s11, s12, s22; ///< S
-    double determinant;   ///< of S: current area over rest area, >= 0
+    double determinant;   ///< det S: current area over rest area, >= 0
     double trace() const { return s11 + s22; }
 };
 

@@ -61,12 +61,12 @@ public:
     }
 
 private:
-    double term(int i) const { return terms_[static_cast<std::size_t>(i)]; }
+    double term(int i) const { return terms_[at(i)]; }
 
     void push(double x) {
         if (x != 0.0) {
             assert(size_ < 192);
-            terms_[static_cast<std::size_t>(size_++)] = x;
+            terms_[at(size_++)] = x;
         }
     }
 

@@ -21,8 +21,8 @@ std::vector<HalfEdge> sorted_half_edges(std::span<const Triangle> triangles) {
     halves.reserve(3 * triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         for (int k = 0; k < 3; ++k) {
-            const Index a = triangles[t][static_cast<std::size_t>((k + 1) % 3)];
-            const Index b = triangles[t][static_cast<std::size_t>((k + 2) % 3)];
+            const Index a = triangles[t][at((k + 1) % 3)];
+            const Index b = triangles[t][at((k + 2) % 3)];
             halves.push_back({std::min(a, b), std::max(a, b), static_cast<Index>(t), k, a > b});
         }
     }
@@ -37,9 +37,7 @@ std::vector<HalfEdge> sorted_half_edges(std::span<const Triangle> triangles) {
 
 EdgeTopology build_edges(std::span<const Triangle> triangles) {
     const std::vector<HalfEdge> halves = sorted_half_edges(triangles);
-    const auto apex_of = [&](const HalfEdge& h) {
-        return triangles[static_cast<std::size_t>(h.triangle)][static_cast<std::size_t>(h.corner)];
-    };
+    const auto apex_of = [&](const HalfEdge& h) { return triangles[at(h.triangle)][at(h.corner)]; };
     std::vector<std::pair<MeshEdge, std::array<int, 2>>> found; // the edge and its two corners
     for (std::size_t i = 0; i < halves.size(); ++i) {
         const HalfEdge& h = halves[i];
@@ -70,8 +68,7 @@ EdgeTopology build_edges(std::span<const Triangle> triangles) {
         topology.edges.push_back(edge);
         for (std::size_t side = 0; side < 2; ++side) {
             if (edge.triangle[side] != k_no_index) {
-                topology.triangle_edges[static_cast<std::size_t>(edge.triangle[side])]
-                                       [static_cast<std::size_t>(corners[side])] = index;
+                topology.triangle_edges[at(edge.triangle[side])][at(corners[side])] = index;
             }
         }
     }
@@ -93,20 +90,20 @@ std::vector<std::vector<Index>> boundary_loops(const EdgeTopology& topology) {
             continue;
         }
         std::vector<Index> loop;
-        std::size_t at = start;
+        std::size_t current = start;
         while (true) {
-            used[at] = 1;
-            loop.push_back(next[at].first);
+            used[current] = 1;
+            loop.push_back(next[current].first);
             auto step = std::lower_bound(next.begin(), next.end(),
-                                         std::pair<Index, Index>{next[at].second, k_no_index});
-            while (step != next.end() && step->first == next[at].second &&
+                                         std::pair<Index, Index>{next[current].second, k_no_index});
+            while (step != next.end() && step->first == next[current].second &&
                    used[static_cast<std::size_t>(step - next.begin())]) {
                 ++step; // a vertex where two loops touch has several ways on
             }
-            if (step == next.end() || step->first != next[at].second) {
+            if (step == next.end() || step->first != next[current].second) {
                 break;
             }
-            at = static_cast<std::size_t>(step - next.begin());
+            current = static_cast<std::size_t>(step - next.begin());
         }
         loops.push_back(std::move(loop));
     }
@@ -118,12 +115,12 @@ int connected_parts(std::span<const Triangle> triangles, std::vector<int>& part_
     for (const Triangle& t : triangles) {
         vertex_count = std::max({vertex_count, t[0] + 1, t[1] + 1, t[2] + 1});
     }
-    std::vector<Index> root(static_cast<std::size_t>(vertex_count));
+    std::vector<Index> root(at(vertex_count));
     std::iota(root.begin(), root.end(), 0);
     const auto find = [&](Index v) {
-        while (root[static_cast<std::size_t>(v)] != v) {
-            auto& parent = root[static_cast<std::size_t>(v)];
-            parent = root[static_cast<std::size_t>(parent)];
+        while (root[at(v)] != v) {
+            auto& parent = root[at(v)];
+            parent = root[at(parent)];
             v = parent;
         }
         return v;
@@ -131,15 +128,15 @@ int connected_parts(std::span<const Triangle> triangles, std::vector<int>& part_
     for (const Triangle& t : triangles) {
         for (int k = 1; k < 3; ++k) {
             const Index a = find(t[0]);
-            const Index b = find(t[static_cast<std::size_t>(k)]);
-            root[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+            const Index b = find(t[at(k)]);
+            root[at(std::max(a, b))] = std::min(a, b);
         }
     }
     std::vector<int> part_of_root(root.size(), -1);
     part_of_triangle.assign(triangles.size(), -1);
     int parts = 0;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-        int& part = part_of_root[static_cast<std::size_t>(find(triangles[t][0]))];
+        int& part = part_of_root[at(find(triangles[t][0]))];
         if (part < 0) {
             part = parts++;
         }

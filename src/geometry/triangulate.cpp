@@ -65,13 +65,13 @@ public:
 
     std::vector<Triangle> run() {
         std::vector<Triangle> triangles;
-        std::size_t at = 0;
+        std::size_t ear = 0;
         while (left_.size() >= 3) {
-            at = next_ear(at);
-            triangles.push_back({left(at + left_.size() - 1), left(at), left(at + 1)});
-            left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(at));
+            ear = next_ear(ear);
+            triangles.push_back({left(ear + left_.size() - 1), left(ear), left(ear + 1)});
+            left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ear));
             // Going on behind the neighbour cuts strips; staying would cut a fan of slivers.
-            at = (at + 1) % left_.size();
+            ear = (ear + 1) % left_.size();
             if (left_.size() < 3) {
                 break;
             }
@@ -81,23 +81,23 @@ public:
 
 private:
     Index left(std::size_t i) const { return left_[i % left_.size()]; }
-    const Vec2& point(Index i) const { return flat_[static_cast<std::size_t>(i)]; }
+    const Vec2& point(Index i) const { return flat_[at(i)]; }
 
     /// First ear at or after `start`; a polygon without one (it crosses itself) gives `start`.
     std::size_t next_ear(std::size_t start) const {
         for (std::size_t i = 0; i < left_.size(); ++i) {
-            const std::size_t at = (start + i) % left_.size();
-            if (is_ear(at)) {
-                return at;
+            const std::size_t ear = (start + i) % left_.size();
+            if (is_ear(ear)) {
+                return ear;
             }
         }
         return start % left_.size();
     }
 
-    bool is_ear(std::size_t at) const {
-        const Vec2& a = point(left(at + left_.size() - 1));
-        const Vec2& b = point(left(at));
-        const Vec2& c = point(left(at + 1));
+    bool is_ear(std::size_t ear) const {
+        const Vec2& a = point(left(ear + left_.size() - 1));
+        const Vec2& b = point(left(ear));
+        const Vec2& c = point(left(ear + 1));
         if (cross_2d(b - a, c - a) <= 0.0) {
             return false;
         }

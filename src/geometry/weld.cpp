@@ -18,9 +18,9 @@ public:
 
     void insert(const Vec3& p, Index vertex) {
         const auto [place, is_new] = first_.try_emplace(key(cell_of(p)), vertex);
-        next_.resize(static_cast<std::size_t>(vertex) + 1, k_no_index);
+        next_.resize(at(vertex) + 1, k_no_index);
         if (!is_new) {
-            next_[static_cast<std::size_t>(vertex)] = place->second;
+            next_[at(vertex)] = place->second;
             place->second = vertex;
         }
     }
@@ -34,13 +34,12 @@ public:
             for (std::int64_t y = low[1]; y <= high[1]; ++y) {
                 for (std::int64_t z = low[2]; z <= high[2]; ++z) {
                     const auto found = first_.find(key({x, y, z}));
-                    Index at = found == first_.end() ? k_no_index : found->second;
-                    for (; at != k_no_index; at = next_[static_cast<std::size_t>(at)]) {
-                        const double d =
-                            (positions[static_cast<std::size_t>(at)] - p).squaredNorm();
+                    Index kept = found == first_.end() ? k_no_index : found->second;
+                    for (; kept != k_no_index; kept = next_[at(kept)]) {
+                        const double d = (positions[at(kept)] - p).squaredNorm();
                         if (d < best_distance ||
-                            (d == best_distance && (best == k_no_index || at < best))) {
-                            best = at;
+                            (d == best_distance && (best == k_no_index || kept < best))) {
+                            best = kept;
                             best_distance = d;
                         }
                     }

@@ -15,13 +15,9 @@ constexpr Index k_most_in_leaf = 8;
 /// larger: slower.
 constexpr double k_far = 5.0;
 
-std::size_t at_index(Index i) {
-    return static_cast<std::size_t>(i);
-}
-
 } // namespace
 
-double winding_share(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+double winding_fraction(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 x = a - p;
     const Vec3 y = b - p;
     const Vec3 z = c - p;
@@ -36,9 +32,8 @@ double winding_share(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
 WindingNumber::WindingNumber(const TriangleMesh& mesh) : positions_(mesh.positions) {
     std::vector<Vec3> centres;
     for (const Triangle& t : mesh.triangles) {
-        centres.push_back(
-            (positions_[at_index(t[0])] + positions_[at_index(t[1])] + positions_[at_index(t[2])]) /
-            3.0);
+        centres.push_back((positions_[at(t[0])] + positions_[at(t[1])] + positions_[at(t[2])]) /
+                          3.0);
     }
     std::vector<Index> order(mesh.triangles.size());
     std::iota(order.begin(), order.end(), 0);
@@ -47,7 +42,7 @@ WindingNumber::WindingNumber(const TriangleMesh& mesh) : positions_(mesh.positio
         build(order, centres, 0);
     }
     for (std::size_t i = 0; i < order.size(); ++i) {
-        triangles_[i] = mesh.triangles[at_index(order[i])];
+        triangles_[i] = mesh.triangles[at(order[i])];
     }
     for (Node& node : nodes_) {
         measure(node);
@@ -57,33 +52,32 @@ WindingNumber::WindingNumber(const TriangleMesh& mesh) : positions_(mesh.positio
 Index WindingNumber::build(std::span<Index> order, std::span<const Vec3> centres, Index first) {
     const auto here = static_cast<Index>(nodes_.size());
     nodes_.push_back({.first = first, .count = static_cast<Index>(order.size())});
-    if (order.size() <= static_cast<std::size_t>(k_most_in_leaf)) {
+    if (order.size() <= at(k_most_in_leaf)) {
         return here;
     }
-    Vec3 low = centres[at_index(order[0])];
+    Vec3 low = centres[at(order[0])];
     Vec3 high = low;
     for (const Index t : order) {
-        low = low.cwiseMin(centres[at_index(t)]);
-        high = high.cwiseMax(centres[at_index(t)]);
+        low = low.cwiseMin(centres[at(t)]);
+        high = high.cwiseMax(centres[at(t)]);
     }
     Eigen::Index axis = 0;
     (high - low).maxCoeff(&axis);
     const std::size_t half = order.size() / 2;
     std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(half), order.end(),
                      [&](Index s, Index t) {
-                         const double at_s = centres[at_index(s)][axis];
-                         const double at_t = centres[at_index(t)][axis];
+                         const double at_s = centres[at(s)][axis];
+                         const double at_t = centres[at(t)][axis];
                          return at_s != at_t ? at_s < at_t : s < t;
                      });
     build(order.first(half), centres, first);
-    nodes_[at_index(here)].right =
-        build(order.subspan(half), centres, first + static_cast<Index>(half));
+    nodes_[at(here)].right = build(order.subspan(half), centres, first + static_cast<Index>(half));
     return here;
 }
 
 std::array<Vec3, 3> WindingNumber::corners(Index slot) const {
-    const Triangle& t = triangles_[at_index(slot)];
-    return {positions_[at_index(t[0])], positions_[at_index(t[1])], positions_[at_index(t[2])]};
+    const Triangle& t = triangles_[at(slot)];
+    return {positions_[at(t[0])], positions_[at(t[1])], positions_[at(t[2])]};
 }
 
 void WindingNumber::measure(Node& node) const {
@@ -104,7 +98,7 @@ void WindingNumber::measure(Node& node) const {
     }
 }
 
-double WindingNumber::at(const Vec3& p) const {
+double WindingNumber::around(const Vec3& p) const {
     double winding = 0.0;
     std::array<Index, 64> stack; // depth: log2(triangles), at most 31
     std::size_t top = 0;
@@ -113,7 +107,7 @@ double WindingNumber::at(const Vec3& p) const {
     }
     while (top > 0) {
         const Index i = stack[--top];
-        const Node& node = nodes_[at_index(i)];
+        const Node& node = nodes_[at(i)];
         const Vec3 away = node.centre - p;
         const double distance = away.norm();
         if (distance > k_far * node.radius) {
@@ -122,7 +116,7 @@ double WindingNumber::at(const Vec3& p) const {
         } else if (node.right == k_no_index) {
             for (Index slot = node.first; slot < node.first + node.count; ++slot) {
                 const auto [a, b, c] = corners(slot);
-                winding += winding_share(p, a, b, c);
+                winding += winding_fraction(p, a, b, c);
             }
         } else {
             stack[top++] = node.right;

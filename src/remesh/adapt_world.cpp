@@ -1,9 +1,8 @@
 #include "remesh/adapt_world.h"
 
 #include "adapt/adaptation_plan.h"
-#include "adapt/coarseness.h"
 #include "adapt/state_transfer.h"
-#include "geometry/dihedral.h"
+#include "geometry/curvature.h"
 
 #include <algorithm>
 #include <cmath>
@@ -235,10 +234,10 @@ bool WorldAdaptation::adapt_cloth(World& world,
     if (params.contact && params.curvature > 0.0 && !world.obstacles.empty()) {
         obstacles_.find(world, cloth, time, near_curvature_);
     }
-    find_coarseness(cloth, world.positions_of(cloth), world.velocities_of(cloth), near_curvature_,
-                    coarseness_);
+    find_refinement_indicator(cloth, world.positions_of(cloth), world.velocities_of(cloth),
+                              near_curvature_, indicator_);
     ++cloth.refinement.adaptations;
-    const AdaptationPlan plan = plan_adaptation(cloth, coarseness_);
+    const AdaptationPlan plan = plan_adaptation(cloth, indicator_);
     if (plan.empty() && cloth.refinement.pending_flips.empty()) {
         cloth.refinement.tolerance = next_tolerance(cloth.refinement.tolerance, false);
         return false;

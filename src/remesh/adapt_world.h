@@ -48,7 +48,7 @@ private:
     ObstacleCurvature obstacles_;
     Vec3 gravity_;
     std::vector<std::unique_ptr<Sqrt3Mesh>> meshes_; ///< by cloth; null: not adaptive
-    std::vector<double> near_curvature_, coarseness_;
+    std::vector<double> near_curvature_, indicator_;
 };
 
 } // namespace weft

@@ -1,7 +1,7 @@
 #include "remesh/make_adaptive.h"
 
-#include "adapt/make_refinement.h"
-#include "geometry/dihedral.h"
+#include "adapt/adaptive_cloth.h"
+#include "geometry/curvature.h"
 
 #include <cmath>
 #include <numbers>

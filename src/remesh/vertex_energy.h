@@ -1,7 +1,7 @@
 #pragma once
 
 #include "forces/cloth_forces.h"
-#include "geometry/vertex_stars.h"
+#include "geometry/mesh_edit.h"
 
 #include <vector>
 

@@ -229,7 +229,7 @@ private:
                    "size): mend the file or set repair = true",
                    place(defects.degenerate),
                    count(defects.degenerate.size(), "triangle is", "triangles are"),
-                   k_least_altitude_share);
+                   k_least_altitude_fraction);
         }
         if (!defects.duplicates.empty()) {
             refuse_as_cloth(

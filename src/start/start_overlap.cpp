@@ -49,7 +49,7 @@ struct Grown {
     double depth = 0.0;     ///< m
 
     Vec3 place(std::size_t vertex, double fraction) const {
-        return full[vertex] + inset.way(vertex, fraction * depth);
+        return full[vertex] + inset.displacement(vertex, fraction * depth);
     }
     double deepest() const {
         double deepest = 0.0;

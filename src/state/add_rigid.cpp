@@ -1,6 +1,6 @@
 #include "base/error.h"
-#include "geometry/mass_moments.h"
-#include "geometry/self_crossings.h"
+#include "geometry/crossing.h"
+#include "geometry/mesh_measure.h"
 #include "state/build_world.h"
 #include "state/rigid_motion.h"
 

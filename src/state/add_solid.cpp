@@ -1,9 +1,7 @@
 #include "base/error.h"
 #include "geometry/crossing.h"
 #include "geometry/lattice_fill.h"
-#include "geometry/orient_parts.h"
-#include "geometry/self_crossings.h"
-#include "geometry/split_edges.h"
+#include "geometry/mesh_repair.h"
 #include "scene/pose.h"
 #include "state/build_world.h"
 

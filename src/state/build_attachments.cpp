@@ -1,5 +1,5 @@
 #include "base/error.h"
-#include "geometry/closest_points.h"
+#include "geometry/distance.h"
 #include "state/attachment.h"
 #include "state/build_world.h"
 #include "state/seam_chain.h"

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "geometry/closest_points.h"
+#include "geometry/distance.h"
 #include "state/rigid_motion.h"
 #include "state/world.h"
 

@@ -1,7 +1,7 @@
 #include "state/rest_shape.h"
 
 #include "base/error.h"
-#include "geometry/mixed_areas.h"
+#include "geometry/curvature.h"
 #include "state/cloth.h"
 
 #include <Eigen/LU>

@@ -1,4 +1,4 @@
-#include "adapt/least_rest_angle.h"
+#include "adapt/rest_split.h"
 #include "state/build_world.h"
 #include "step/advance.h"
 

@@ -1,6 +1,6 @@
 #include "validation/sheet_world.h"
 
-#include "geometry/mixed_areas.h"
+#include "geometry/curvature.h"
 #include "state/build_world.h"
 
 namespace weft {

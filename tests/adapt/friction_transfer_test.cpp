@@ -82,7 +82,7 @@ TEST(FrictionTransfer, AreTheSlipsOfPairsThatEndAsTheirVerticesSeeThem) {
     world.friction_history = all_kinds_of_pairs();
     std::vector<char> is_changed(16, 0);
     for (const int v : {0, 1, 4, 6, 13}) {
-        is_changed[static_cast<std::size_t>(v)] = 1;
+        is_changed[at(v)] = 1;
     }
     const auto expected = slow_transfer(world.friction_history, 0, is_changed);
     std::vector<Index> former(16);

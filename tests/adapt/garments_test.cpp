@@ -1,5 +1,5 @@
-#include "adapt/least_rest_angle.h"
-#include "adapt/make_refinement.h"
+#include "adapt/adaptive_cloth.h"
+#include "adapt/rest_split.h"
 #include "state/build_world.h"
 #include "state/world.h"
 #include "support/mesh_history.h"

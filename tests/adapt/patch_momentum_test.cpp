@@ -47,7 +47,7 @@ Patch random_patch(RandomNumbers& random) {
     return patch;
 }
 
-/// The same mass on the vertices in other shares: so much as k of it goes from one to another.
+/// The same mass on the vertices in other parts: the fraction k of it goes from one to another.
 void shift_masses(Patch& patch, RandomNumbers& random, double k = 0.3) {
     for (std::size_t i = 1; i < patch.m.size(); ++i) {
         const double shifted = k * random.number() * std::min(patch.m[i], patch.m[i - 1]);

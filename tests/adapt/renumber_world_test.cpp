@@ -15,7 +15,7 @@ using test::SheetMotion;
 /// A vertex as the world names it, by its own name; those of obstacles, which stand behind all
 /// others, by their number there.
 int name_of(const World& world, const std::vector<int>& names, Index v) {
-    const auto i = static_cast<std::size_t>(v);
+    const auto i = at(v);
     return v == k_no_index            ? -1
            : i < world.vertex_count() ? names[i]
                                       : 1000000 + v - static_cast<Index>(world.vertex_count());
@@ -53,8 +53,8 @@ corners_of(const AdaptingWorld& sheets, std::size_t index, const ClothChanges& c
     const Cloth& cloth = sheets.world.cloths[index];
     std::set<int> corners;
     for (const Index t : changes.triangles) {
-        for (const Index v : cloth.triangles[static_cast<std::size_t>(t)]) {
-            corners.insert(names[static_cast<std::size_t>(cloth.first_vertex + v)]);
+        for (const Index v : cloth.triangles[at(t)]) {
+            corners.insert(names[at(cloth.first_vertex + v)]);
         }
     }
     return corners;
@@ -119,7 +119,7 @@ TEST(RenumberWorld, ClothsStandOneBehindTheOther) {
             EXPECT_EQ(cloth.first_vertex, next);
             next += cloth.vertex_count;
         }
-        EXPECT_EQ(static_cast<std::size_t>(next), world.vertex_count());
+        EXPECT_EQ(at(next), world.vertex_count());
         EXPECT_EQ(check(world), "");
     });
 }
@@ -130,8 +130,8 @@ TEST(RenumberWorld, VerticesOfOtherClothsKeepTheirValues) {
             const Cloth& old_plain = before.cloths[1];
             const Cloth& plain = sheets.world.cloths[1];
             for (Index v = 0; v < plain.vertex_count; ++v) {
-                const auto i = static_cast<std::size_t>(plain.first_vertex + v);
-                const auto old = static_cast<std::size_t>(old_plain.first_vertex + v);
+                const auto i = at(plain.first_vertex + v);
+                const auto old = at(old_plain.first_vertex + v);
                 EXPECT_EQ(sheets.world.positions[i], before.positions[old]);
                 EXPECT_EQ(sheets.world.velocities[i], before.velocities[old]);
                 EXPECT_EQ(sheets.world.previous_positions[i], before.previous_positions[old]);

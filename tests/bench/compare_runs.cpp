@@ -13,7 +13,7 @@
 #include "base/error.h"
 #include "frames/cache.h"
 #include "geometry/box_tree.h"
-#include "geometry/closest_points.h"
+#include "geometry/distance.h"
 #include "geometry/extent.h"
 #include "scene/scene_reader.h"
 

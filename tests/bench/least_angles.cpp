@@ -2,7 +2,7 @@
 /// triangles as imported, and the least that refinement up to its levels can bring about, which no
 /// frame of a run goes below (least_angle_deg in stats.csv).
 
-#include "adapt/least_rest_angle.h"
+#include "adapt/rest_split.h"
 #include "scene/scene_reader.h"
 #include "state/build_world.h"
 

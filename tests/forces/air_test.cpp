@@ -34,7 +34,7 @@ std::vector<Vec3> gathered(const AirElements& air, std::span<const Vec3> x) {
     std::vector<Vec3> f(3 * air.size()), sum(x.size(), Vec3::Zero());
     air.forces(x, v, f);
     for (std::size_t i = 0; i < f.size(); ++i) {
-        sum[static_cast<std::size_t>(air.nodes()[i])] += f[i];
+        sum[at(air.nodes()[i])] += f[i];
     }
     return sum;
 }

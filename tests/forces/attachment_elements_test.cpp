@@ -22,7 +22,7 @@ VecX points_apart(double gap, std::mt19937& random) {
     }
     Vec3 between = Vec3::Zero();
     for (int i = 0; i < 6; ++i) {
-        between += k_weights[static_cast<std::size_t>(i)] * x.segment<3>(3 * i);
+        between += k_weights[at(i)] * x.segment<3>(3 * i);
     }
     const Vec3 shift = (gap / between.norm() - 1.0) * between;
     for (int i = 0; i < 3; ++i) {
@@ -85,7 +85,7 @@ TEST(Thread, AtItsLimitIsSeenToEndAtItsRestGap) {
         const auto terms = terms_at(x, c.thread);
         Vec3 gap = Vec3::Zero();
         for (int i = 0; i < 6; ++i) {
-            gap += k_weights[static_cast<std::size_t>(i)] * x.segment<3>(3 * i);
+            gap += k_weights[at(i)] * x.segment<3>(3 * i);
         }
         // vertex 0 alone moved so that the gap becomes the rest gap, along itself
         VecX move = VecX::Zero(18);
@@ -131,8 +131,8 @@ TEST(Thread, HasNoForceOrTorqueInSum) {
 
     Vec3 sum = Vec3::Zero(), torque = Vec3::Zero();
     for (int i = 0; i < 6; ++i) {
-        sum += force[static_cast<std::size_t>(i)];
-        torque += Vec3(x.segment<3>(3 * i)).cross(force[static_cast<std::size_t>(i)]);
+        sum += force[at(i)];
+        torque += Vec3(x.segment<3>(3 * i)).cross(force[at(i)]);
     }
     EXPECT_GT(force[0].norm(), 0.1);
     EXPECT_LT(sum.norm(), 1e-14);

@@ -53,7 +53,7 @@ TEST(BendDamping, BrakesBendingWithoutForceOrTorque) {
             EXPECT_TRUE(f[i].isZero(0.0));
             continue;
         }
-        const auto vertex = static_cast<std::size_t>(s.damping.nodes()[i]);
+        const auto vertex = at(s.damping.nodes()[i]);
         sum += f[i];
         torque += s.x[vertex].cross(f[i]);
         power += f[i].dot(v[vertex]);

@@ -40,7 +40,7 @@ double relative_energy(const Sheet& sheet, BendModel model, double degrees) {
     const auto x = placed(sheet, cylinder(kappa, degrees));
     std::vector<Vec3> f(bending.nodes().size());
     bending.forces(x, f);
-    const auto n = static_cast<std::size_t>(bending.nodes_per_element());
+    const auto n = at(bending.nodes_per_element());
     Vec2 low = sheet.points.front(), high = sheet.points.front();
     for (const Vec2& p : sheet.points) {
         low = low.cwiseMin(p);
@@ -58,7 +58,7 @@ double relative_energy(const Sheet& sheet, BendModel model, double degrees) {
         const std::size_t core = n == 4 ? 2 : 3; // the edge, or the triangle
         Vec2 centre = Vec2::Zero();
         for (std::size_t a = 0; a < core; ++a) {
-            centre += sheet.points[static_cast<std::size_t>(nodes[a])] / static_cast<double>(core);
+            centre += sheet.points[at(nodes[a])] / static_cast<double>(core);
         }
         double weight = 1.0; // an edge on the window's border stands half inside
         for (int axis = 0; axis < 2; ++axis) {
@@ -68,7 +68,7 @@ double relative_energy(const Sheet& sheet, BendModel model, double degrees) {
         }
         for (std::size_t a = 0; a < n && weight > 0.0; ++a) {
             if (nodes[a] != k_no_index) {
-                energy -= weight * 0.5 * f[e * n + a].dot(x[static_cast<std::size_t>(nodes[a])]);
+                energy -= weight * 0.5 * f[e * n + a].dot(x[at(nodes[a])]);
             }
         }
     }
@@ -82,12 +82,12 @@ Eigen::MatrixXd assembled(const ConstantBending& bending, const Sheet& sheet) {
     const int n = bending.nodes_per_element();
     Eigen::MatrixXd Q = Eigen::MatrixXd::Zero(count, count);
     for (std::size_t e = 0; e < bending.size(); ++e) {
-        const Index* nodes = &bending.nodes()[e * static_cast<std::size_t>(n)];
+        const Index* nodes = &bending.nodes()[e * at(n)];
         for (int a = 0; a < n; ++a) {
             for (int b = 0; b < n; ++b) {
                 if (nodes[a] != k_no_index && nodes[b] != k_no_index) {
                     Q(nodes[a], nodes[b]) +=
-                        bending.stiffness()[e * static_cast<std::size_t>(block_count(n)) +
+                        bending.stiffness()[e * at(block_count(n)) +
                                             block_index(n, std::min(a, b), std::max(a, b))];
                 }
             }
@@ -241,7 +241,7 @@ TEST(Bending, ForceIsTheGradientAndSumsToNothing) {
                 EXPECT_EQ(f[i], Vec3::Zero());
                 continue;
             }
-            const auto vertex = static_cast<std::size_t>(bending.nodes()[i]);
+            const auto vertex = at(bending.nodes()[i]);
             gathered[vertex] += f[i];
             sum += f[i];
             torque += x[vertex].cross(f[i]);

@@ -40,7 +40,7 @@ std::vector<Vec3> moving(const ChangingSheet& sheet) {
 /// Everything that the set says of itself, as one row of numbers.
 template <typename Elements>
 std::vector<double> spoken(const Elements& elements, const ChangingSheet& sheet) {
-    constexpr auto blocks_each = static_cast<std::size_t>(block_count(Elements::k_nodes));
+    constexpr auto blocks_each = at(block_count(Elements::k_nodes));
     std::vector<Vec3> forces(elements.nodes().size());
     std::vector<Mat3> blocks(elements.size() * blocks_each);
     elements.evaluate(bent(sheet), moving(sheet), {1e-4, 1e-2}, forces, blocks);

@@ -14,7 +14,7 @@ namespace {
 const FourPoints k_rest = particles_with(Vec3(0.01, 0.09, 0.3).asDiagonal());
 constexpr double k_stiffness = 300.0;
 
-/// In a random pose, each pushed aside by about `strain` m.
+/// The four particles in a random pose, each pushed aside by about `strain` m.
 VecX strained(double strain, std::mt19937& random) {
     std::normal_distribution<double> normal;
     VecX x = flat<4>(posed(k_rest, {random_rotation(random), Vec3(1.0, -2.0, 3.0)}));
@@ -74,8 +74,8 @@ TEST(RigidElement, ForcesSumToZeroAndHaveNoTorque) {
     Vec3 sum = Vec3::Zero();
     Vec3 torque = Vec3::Zero();
     for (int i = 0; i < 4; ++i) {
-        sum += terms.force[static_cast<std::size_t>(i)];
-        torque += x.segment<3>(3 * i).cross(terms.force[static_cast<std::size_t>(i)]);
+        sum += terms.force[at(i)];
+        torque += x.segment<3>(3 * i).cross(terms.force[at(i)]);
     }
     EXPECT_GT(terms.force[0].norm(), 1.0);
     EXPECT_LT(sum.norm(), 1e-12);

@@ -158,7 +158,7 @@ TEST(BoxTree, NearFindsTheNearestBoxLikeALoopOverAll) {
         }
         double limit = std::numeric_limits<double>::infinity();
         tree.near(p, limit, [&](Index item) {
-            limit = std::min(limit, distance_squared(boxes[static_cast<std::size_t>(item)], p));
+            limit = std::min(limit, distance_squared(boxes[at(item)], p));
         });
         EXPECT_EQ(limit, least);
     }

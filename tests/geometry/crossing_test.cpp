@@ -1,6 +1,6 @@
 #include "geometry/crossing.h"
+#include "geometry/distance.h"
 #include "geometry/predicates.h"
-#include "geometry/separation.h"
 
 #include <gtest/gtest.h>
 
@@ -133,6 +133,67 @@ TEST(CrossingSegment, OfNeighboursBeginsAtTheCornerThatTheyShare) {
 
     EXPECT_NEAR((ends[0] - ends[1]).norm(), 1.0, 1e-12);
     EXPECT_TRUE(ends[0].isZero(1e-12) || ends[1].isZero(1e-12));
+}
+
+TEST(SelfCrossings, AFoldThatPassesThroughItselfIsFound) {
+    TriangleMesh mesh; // one triangle flat on the ground, one upright through its middle, one apart
+    mesh.positions = {{0, 0, 0},     {2, 0, 0}, {0, 0, 2}, {0.5, -1, 0.5}, {0.5, 1, 0.5},
+                      {0.7, 1, 0.5}, {5, 0, 0}, {6, 0, 0}, {5, 0, 1}};
+    mesh.triangles = {{6, 7, 8}, {0, 1, 2}, {3, 4, 5}};
+
+    EXPECT_EQ(find_self_crossings(mesh), (std::vector<std::array<Index, 2>>{{1, 2}}));
+}
+
+TEST(SelfCrossings, NeighboursThatOnlyTouchDoNotCount) {
+    TriangleMesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}, {-1, 0, -1}, {-1, 0, 0}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 4, 5}};
+
+    EXPECT_TRUE(find_self_crossings(mesh).empty());
+}
+
+namespace {
+
+/// Where the line through a and b meets the plane y = 0.
+Vec3 foot(const Vec3& a, const Vec3& b) {
+    return a + a.y() / (a.y() - b.y()) * (b - a);
+}
+
+} // namespace
+
+TEST(ContourGradient, OfAFlapThroughAFloorPointsBackOut) {
+    // an edge stands upright in the floor, its triangle reaches along x: the way out is along x
+    const std::vector<Vec3> apex{{1.0, 0.0, 0.0}};
+
+    const auto gradient = contour_gradient({0, -1, 0}, {0, 1, 0}, apex, Vec3::UnitY());
+
+    ASSERT_TRUE(gradient);
+    EXPECT_TRUE(gradient->isApprox(Vec3::UnitX(), 1e-12)) << gradient->transpose();
+}
+
+TEST(ContourGradient, OfTwoTrianglesThatPullEvenlyIsNone) {
+    const std::vector<Vec3> apexes{{1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}};
+
+    EXPECT_FALSE(contour_gradient({0, -1, 0}, {0, 1, 0}, apexes, Vec3::UnitY()));
+}
+
+TEST(ContourGradient, TakesTheEdgesFootTowardsTheContoursOtherEnd) {
+    std::mt19937 engine(11);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+
+    for (int i = 0; i < 300; ++i) {
+        const Vec3 p(unit(engine), -0.2 - std::abs(unit(engine)), unit(engine));
+        const Vec3 q(unit(engine), 0.2 + std::abs(unit(engine)), unit(engine));
+        const Vec3 apex(unit(engine), 3.0 + unit(engine), unit(engine));
+        const Vec3 contour = foot(p, apex) - foot(p, q); // the side (p, apex) pierces as well
+
+        const auto g = contour_gradient(p, q, std::vector<Vec3>{apex}, Vec3::UnitY());
+
+        ASSERT_TRUE(g);
+        const double step = 1e-6;
+        const Vec3 way = foot(p + step * *g, q + step * *g) - foot(p, q);
+        EXPECT_GT(way.dot(contour), 0.0) << i;
+    }
 }
 
 } // namespace weft

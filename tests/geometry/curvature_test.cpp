@@ -4,8 +4,131 @@
 
 #include <cmath>
 #include <map>
+#include <random>
 
 namespace weft {
+
+TEST(DihedralAngle, IsNegativeWhenTheApexesRiseAlongTheNormal) {
+    for (const double angle : {-2.5, -1.0, 0.0, 0.3, 3.0}) {
+        // edge along y; both normals +z when flat; each apex lowered by half the angle
+        const Vec3 x2(-std::cos(angle / 2), 0.3, -std::sin(angle / 2));
+        const Vec3 x3(std::cos(angle / 2), 0.6, -std::sin(angle / 2));
+
+        EXPECT_NEAR(dihedral_angle({0, 0, 0}, {0, 1, 0}, x2, x3), angle, 1e-14);
+    }
+}
+
+TEST(DihedralAngle, GradientAgreesWithDifferences) {
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
+    for (int i = 0; i < 100; ++i) {
+        std::array<Vec3, 4> x;
+        for (Vec3& p : x) {
+            p = Vec3(normal(random), normal(random), normal(random));
+        }
+        if (std::abs(dihedral_angle(x[0], x[1], x[2], x[3])) > 3.0) {
+            continue; // the angle jumps at pi
+        }
+
+        const auto gradient = dihedral_gradient(x[0], x[1], x[2], x[3]);
+
+        Vec3 sum = Vec3::Zero(), torque = Vec3::Zero();
+        for (std::size_t a = 0; a < 4; ++a) {
+            sum += gradient[a];
+            torque += x[a].cross(gradient[a]);
+            for (int axis = 0; axis < 3; ++axis) {
+                auto above = x, below = x;
+                const double delta = 1e-6;
+                above[a](axis) += delta;
+                below[a](axis) -= delta;
+                const double expected = (dihedral_angle(above[0], above[1], above[2], above[3]) -
+                                         dihedral_angle(below[0], below[1], below[2], below[3])) /
+                                        (2 * delta);
+                EXPECT_NEAR(gradient[a](axis), expected, 1e-5 * (1.0 + gradient[a].squaredNorm()));
+            }
+        }
+        const double scale = gradient[2].norm() + gradient[3].norm();
+        EXPECT_LT(sum.norm(), 1e-13 * scale);
+        EXPECT_LT(torque.norm(), 1e-12 * scale);
+    }
+}
+
+TEST(DihedralAngle, CollapsedTrianglesHaveNoGradient) {
+    const auto gradient = dihedral_gradient({0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0});
+
+    for (const Vec3& g : gradient) {
+        EXPECT_EQ(g, Vec3::Zero());
+    }
+    EXPECT_EQ(dihedral_angle({0, 0, 0}, {0, 0, 0}, {2, 0, 0}, {0, 1, 0}), 0.0);
+}
+
+TEST(MixedAreas, EquilateralTriangleGivesAThirdToEachCorner) {
+    const double area = std::sqrt(3.0) / 4.0;
+
+    const auto areas = mixed_corner_areas({Vec2(0, 0), Vec2(1, 0), Vec2(0.5, std::sqrt(0.75))});
+
+    for (const double corner_area : areas) {
+        EXPECT_NEAR(corner_area, area / 3.0, 1e-15);
+    }
+}
+
+TEST(MixedAreas, RightTriangleGivesHalfToTheRightAngle) {
+    // The circumcentre lies on the hypotenuse: Voronoi and obtuse rule meet there.
+    const auto areas = mixed_corner_areas({Vec2(0, 0), Vec2(2, 0), Vec2(0, 3)});
+
+    EXPECT_NEAR(areas[0], 1.5, 1e-15);
+    EXPECT_NEAR(areas[1], 0.75, 1e-15);
+    EXPECT_NEAR(areas[2], 0.75, 1e-15);
+}
+
+TEST(MixedAreas, ObtuseCornerGetsHalf) {
+    const auto areas = mixed_corner_areas(Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, 0.5, 0));
+
+    EXPECT_NEAR(areas[0], 0.125, 1e-15);
+    EXPECT_NEAR(areas[1], 0.125, 1e-15);
+    EXPECT_NEAR(areas[2], 0.25, 1e-15);
+}
+
+TEST(MixedAreas, SharesSumToTheAreaOfAnyTriangle) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 x0(uniform(random), uniform(random), uniform(random));
+        const Vec3 x1(uniform(random), uniform(random), uniform(random));
+        const Vec3 x2(uniform(random), uniform(random), uniform(random));
+
+        const auto areas = mixed_corner_areas(x0, x1, x2);
+
+        const double area = triangle_area(x0, x1, x2);
+        EXPECT_NEAR(areas[0] + areas[1] + areas[2], area, 1e-13 * area);
+        EXPECT_GT(std::min({areas[0], areas[1], areas[2]}), 0.0);
+    }
+}
+
+TEST(MixedAreas, CollapsedTriangleHasNone) {
+    const auto areas = mixed_corner_areas(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 0, 0));
+
+    for (const double area : areas) {
+        EXPECT_EQ(area, 0.0);
+    }
+}
+
+TEST(MixedAreas, VerticesOfASurfaceShareItsWholeArea) {
+    const std::vector<Vec3> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.4, 0.3, 0.2}};
+    const std::vector<Triangle> triangles{{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+    double area = 0.0;
+    for (const Triangle& t : triangles) {
+        area += triangle_area(square[at(t[0])], square[at(t[1])], square[at(t[2])]);
+    }
+
+    const std::vector<double> areas = mixed_areas(square, triangles);
+
+    double sum = 0.0;
+    for (const double vertex_area : areas) {
+        sum += vertex_area;
+    }
+    EXPECT_NEAR(sum, area, 1e-14);
+}
 
 namespace {
 
@@ -21,9 +144,8 @@ TriangleMesh unit_sphere(int levels) {
             const auto [it, fresh] = middles.try_emplace({std::min(a, b), std::max(a, b)},
                                                          static_cast<Index>(mesh.positions.size()));
             if (fresh) {
-                mesh.positions.push_back((mesh.positions[static_cast<std::size_t>(a)] +
-                                          mesh.positions[static_cast<std::size_t>(b)])
-                                             .normalized());
+                mesh.positions.push_back(
+                    (mesh.positions[at(a)] + mesh.positions[at(b)]).normalized());
             }
             return it->second;
         };

@@ -14,10 +14,8 @@ namespace {
 double slow_winding(const TriangleMesh& mesh, const Vec3& p) {
     double sum = 0.0;
     for (const Triangle& t : mesh.triangles) {
-        const auto x = [&](std::size_t k) {
-            return mesh.positions[static_cast<std::size_t>(t[k])];
-        };
-        sum += winding_share(p, x(0), x(1), x(2));
+        const auto x = [&](std::size_t k) { return mesh.positions[at(t[k])]; };
+        sum += winding_fraction(p, x(0), x(1), x(2));
     }
     return sum;
 }
@@ -28,14 +26,14 @@ double volume_in(const LatticeRaster& raster) {
         cells += cell == LatticeRaster::k_full ? 1.0 : 0.0;
     }
     for (const LatticeBlock& block : raster.blocks) {
-        for (const double share : block.shares) {
-            cells += share / 64.0;
+        for (const double fraction : block.fractions) {
+            cells += fraction / 64.0;
         }
     }
     return cells * std::pow(raster.lattice.spacing, 3);
 }
 
-/// Calls f(middle of a fine cell, its share of inside, whether it is touched).
+/// Calls f(middle of a fine cell, which fraction of it is inside, whether it is touched).
 template <typename F> void for_each_fine(const LatticeRaster& raster, const F& f) {
     const auto& n = raster.lattice.size;
     for (std::size_t i = 0; i < raster.cells.size(); ++i) {
@@ -46,9 +44,8 @@ template <typename F> void for_each_fine(const LatticeRaster& raster, const F& f
                             static_cast<double>(k / 16) + 0.5);
             const Index cell = raster.cells[i];
             const bool full = cell == LatticeRaster::k_full;
-            const LatticeBlock block =
-                cell >= 0 ? raster.blocks[static_cast<std::size_t>(cell)] : LatticeBlock{};
-            f(Vec3(low + raster.lattice.spacing / 4.0 * fine), full ? 1.0 : block.shares[k],
+            const LatticeBlock block = cell >= 0 ? raster.blocks[at(cell)] : LatticeBlock{};
+            f(Vec3(low + raster.lattice.spacing / 4.0 * fine), full ? 1.0 : block.fractions[k],
               full || (block.touched >> k & 1) != 0);
         }
     }
@@ -74,13 +71,13 @@ TEST(LatticeRaster, TellsInsideLikeTheWindingNumberOfEveryPoint) {
     for (unsigned seed = 0; seed < 4; ++seed) {
         const TriangleMesh mesh = turned(seed % 2 == 0 ? torus(0.4, 0.15, 12, 6) : k_ell, seed);
         int asked = 0;
-        for_each_fine(raster_closed(mesh, 0.17), [&](const Vec3& p, double share, bool touched) {
-            const bool is_whole = share < 1e-9 || share > 1.0 - 1e-9;
+        for_each_fine(raster_closed(mesh, 0.17), [&](const Vec3& p, double fraction, bool touched) {
+            const bool is_whole = fraction < 1e-9 || fraction > 1.0 - 1e-9;
             if (is_whole) {
-                EXPECT_EQ(share > 0.5, slow_winding(mesh, p) > 0.5);
+                EXPECT_EQ(fraction > 0.5, slow_winding(mesh, p) > 0.5);
                 ++asked;
             }
-            EXPECT_TRUE(touched || share < 1e-9);
+            EXPECT_TRUE(touched || fraction < 1e-9);
         });
         EXPECT_GT(asked, 300);
     }
@@ -90,8 +87,8 @@ TEST(LatticeRaster, CubeWhoseFacesLieInPlanesOfTheLatticeTouchesNothingBesideIt)
     const LatticeRaster raster = raster_closed(cubes({{0, 0, 0}}), 0.25);
 
     EXPECT_EQ(raster.lattice.size, (std::array<int, 3>{4, 4, 4}));
-    for_each_fine(raster, [](const Vec3&, double share, bool touched) {
-        EXPECT_EQ(share, 1.0);
+    for_each_fine(raster, [](const Vec3&, double fraction, bool touched) {
+        EXPECT_EQ(fraction, 1.0);
         EXPECT_TRUE(touched);
     });
 }
@@ -100,9 +97,9 @@ TEST(LatticeRaster, NotchInPlanesOfTheLatticeStaysUntouched) {
     const LatticeRaster raster = raster_closed(k_ell, 0.5);
 
     ASSERT_EQ(raster.lattice.size, (std::array<int, 3>{4, 4, 2}));
-    for_each_fine(raster, [](const Vec3& p, double share, bool touched) {
+    for_each_fine(raster, [](const Vec3& p, double fraction, bool touched) {
         const bool in_notch = p.x() > 1.0 && p.y() > 1.0;
-        EXPECT_EQ(share, in_notch ? 0.0 : 1.0);
+        EXPECT_EQ(fraction, in_notch ? 0.0 : 1.0);
         EXPECT_EQ(touched, !in_notch);
     });
 }
@@ -122,8 +119,8 @@ TEST(LatticeRaster, CavityIsOutside) {
 TEST(LatticeRaster, WindingNumberOfAClosedMeshFillsTheSame) {
     const TriangleMesh mesh = turned(torus(0.4, 0.15, 15, 8), 3);
 
-    for_each_fine(raster_by_winding(mesh, 0.15), [&](const Vec3& p, double share, bool) {
-        EXPECT_EQ(share > 0.5, slow_winding(mesh, p) > 0.5);
+    for_each_fine(raster_by_winding(mesh, 0.15), [&](const Vec3& p, double fraction, bool) {
+        EXPECT_EQ(fraction > 0.5, slow_winding(mesh, p) > 0.5);
     });
 }
 
@@ -146,7 +143,7 @@ TEST(WindingNumber, IsWithinAHundredthOfTheSumOverAllTriangles) {
 
     for (int i = 0; i < 300; ++i) {
         const Vec3 p(unit(engine), unit(engine), unit(engine));
-        EXPECT_NEAR(winding.at(p), slow_winding(mesh, p), 0.01);
+        EXPECT_NEAR(winding.around(p), slow_winding(mesh, p), 0.01);
     }
 }
 

@@ -1,4 +1,4 @@
-#include "geometry/closest_points.h"
+#include "geometry/distance.h"
 #include "geometry/nearest_surface.h"
 
 #include <gtest/gtest.h>

@@ -10,8 +10,7 @@ TEST(TriangleMesh, EdgeKnowsItsTrianglesAndApexes) {
     const EdgeTopology topology = build_edges(quad);
 
     ASSERT_EQ(topology.edges.size(), 5U);
-    const MeshEdge& diagonal =
-        topology.edges[static_cast<std::size_t>(topology.triangle_edges[0][1])];
+    const MeshEdge& diagonal = topology.edges[at(topology.triangle_edges[0][1])];
     EXPECT_FALSE(diagonal.is_boundary());
     EXPECT_EQ(diagonal.v, (std::array<Index, 2>{2, 0}));
     EXPECT_EQ(diagonal.apex, (std::array<Index, 2>{1, 3}));

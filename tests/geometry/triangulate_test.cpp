@@ -12,9 +12,7 @@ namespace {
 double total_area(const std::vector<Vec3>& corners, const std::vector<Triangle>& triangles) {
     double area = 0.0;
     for (const Triangle& t : triangles) {
-        area += triangle_area(corners[static_cast<std::size_t>(t[0])],
-                              corners[static_cast<std::size_t>(t[1])],
-                              corners[static_cast<std::size_t>(t[2])]);
+        area += triangle_area(corners[at(t[0])], corners[at(t[1])], corners[at(t[2])]);
     }
     return area;
 }
@@ -57,9 +55,7 @@ TEST(Triangulate, StarIsCoveredOnceWithItsOwnWinding) {
     // Ten triangles from the centre, each of area (1/2) 2 * 1 * sin 36 degrees.
     EXPECT_NEAR(total_area(star, triangles), 10.0 * std::sin(M_PI / 5.0), 1e-12);
     for (const Triangle& t : triangles) {
-        const Vec3 normal = triangle_normal(star[static_cast<std::size_t>(t[0])],
-                                            star[static_cast<std::size_t>(t[1])],
-                                            star[static_cast<std::size_t>(t[2])]);
+        const Vec3 normal = triangle_normal(star[at(t[0])], star[at(t[1])], star[at(t[2])]);
         EXPECT_GT(normal.dot(u.cross(v)), 0.99);
     }
 }

@@ -1,5 +1,5 @@
 #include "base/error.h"
-#include "geometry/split_edges.h"
+#include "geometry/mesh_repair.h"
 #include "state/build_world.h"
 #include "support/closed_meshes.h"
 #include "support/temp_folder.h"

@@ -1,6 +1,6 @@
 #include "support/adapting_world.h"
 
-#include "adapt/make_refinement.h"
+#include "adapt/adaptive_cloth.h"
 #include "support/worlds.h"
 
 #include <algorithm>

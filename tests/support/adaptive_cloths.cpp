@@ -1,6 +1,6 @@
 #include "support/adaptive_cloths.h"
 
-#include "adapt/make_refinement.h"
+#include "adapt/adaptive_cloth.h"
 #include "state/build_world.h"
 #include "state/rest_shape.h"
 #include "support/sheets.h"

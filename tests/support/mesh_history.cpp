@@ -1,6 +1,6 @@
 #include "support/mesh_history.h"
 
-#include "adapt/refinement_check.h"
+#include "adapt/adaptive_cloth.h"
 
 #include <gtest/gtest.h>
 

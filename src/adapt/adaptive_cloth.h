@@ -2,6 +2,8 @@
 
 #include "state/cloth.h"
 
+#include <string>
+
 namespace weft {
 
 /// Rest lengths of an edge that differ by more, relative, are two lengths: cloth gathered into a
@@ -17,5 +19,10 @@ inline constexpr double k_same_grain_deg = 15.0;
 /// Makes a cloth's mesh adaptive: fills cloth.refinement for the mesh as it is, no triangle frozen.
 /// Locked are inner edges with two rest lengths or two grains. O(#triangles).
 void make_refinement(Cloth& cloth);
+
+/// Says what is wrong with an adaptive cloth, or "". It checks sizes, edges against build_edges,
+/// Euler number, generations across edges and at vertices, flips that wait, rest areas and lengths.
+/// Slow: looks at everything. For asserts of debug builds and for tests.
+std::string check_refinement(const Cloth& cloth);
 
 } // namespace weft

@@ -1,23 +1,57 @@
-#include "adapt/refinement_check.h"
+#include "adapt/adaptive_cloth.h"
 
 #include "adapt/rest_split.h"
+#include "geometry/curvature.h"
 #include "geometry/mesh_edit.h"
-#include "geometry/mixed_areas.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cstdlib>
+#include <numbers>
 
 namespace weft {
+
+namespace {
+
+bool is_seam(const Cloth& cloth, Index e) {
+    constexpr double k_same_grain = k_same_grain_deg * std::numbers::pi / 180.0;
+    const auto [A, B] = cloth.topology.edges[at(e)].triangle;
+    const std::size_t in_A = corner_opposite(cloth.topology, A, e);
+    const std::size_t in_B = corner_opposite(cloth.topology, B, e);
+    const RestTriangle& first = cloth.rest[at(A)];
+    const RestTriangle& second = cloth.rest[at(B)];
+    const double length = rest_edge_length(first, static_cast<int>(in_A));
+    const double other = rest_edge_length(second, static_cast<int>(in_B));
+    return std::abs(length - other) > k_same_length * std::max(length, other) ||
+           std::abs(frame_turn(first, in_A, second, in_B)) > k_same_grain;
+}
+
+} // namespace
+
+void make_refinement(Cloth& cloth) {
+    assert(cloth.rest.size() == cloth.triangles.size());
+    Refinement& refinement = cloth.refinement;
+    refinement = {};
+    refinement.base_vertices = cloth.vertex_count;
+    refinement.base_triangles = static_cast<Index>(cloth.triangles.size());
+    refinement.base_edges = static_cast<Index>(cloth.topology.edges.size());
+    refinement.triangles.resize(cloth.triangles.size());
+    refinement.frozen.resize(cloth.triangles.size(), 0);
+    refinement.locked.resize(cloth.topology.edges.size(), 0);
+    for (Index e = 0; e < refinement.base_edges; ++e) {
+        refinement.locked[at(e)] = !cloth.topology.edges[at(e)].is_boundary() && is_seam(cloth, e);
+    }
+}
 
 namespace {
 
 /// Rounding of sums and inverses of rest shapes, relative.
 constexpr double k_rounding = 1e-9;
 
-/// How far apart the rest lengths of an edge may be from its two sides, relative: what
-/// make_refinement leaves unlocked, and a few flips of it.
+/// Relative difference allowed between the two rest lengths of an edge: what make_refinement leaves
+/// unlocked, grown by a few flips.
 constexpr double k_two_lengths = 1e-5;
 
 std::string sizes_problem(const Cloth& cloth) {
@@ -118,8 +152,9 @@ std::string edge_problem(const Cloth& cloth, Index e) {
         return r.triangles[at(t)].generation % 2 != 0 && corner == 0;
     };
     const bool are_equal = is_mate_edge(A, in_A) && is_mate_edge(B, in_B) && finer == 0;
-    const bool waits = are_equal && flip_rest(cloth.rest[at(A)], cloth.rest[at(B)]).least_share >=
-                                        k_least_flip_share;
+    const bool waits =
+        are_equal &&
+        flip_rest(cloth.rest[at(A)], cloth.rest[at(B)]).least_fraction >= k_least_flip_fraction;
     if (waits != std::binary_search(r.pending_flips.begin(), r.pending_flips.end(), e)) {
         return fmt::format("edge {} {} wait for its flip", e, waits ? "does not" : "need not");
     }
@@ -154,9 +189,9 @@ std::string rest_problem(const Cloth& cloth) {
             return fmt::format("triangle {} has a rest area of {}, of its edges {}", t, rest.area,
                                area);
         }
-        const auto shares = mixed_corner_areas(rest_corners(rest));
+        const auto corner_areas = mixed_corner_areas(rest_corners(rest));
         for (std::size_t k = 0; k < 3; ++k) {
-            areas[at(cloth.triangles[t][k])] += shares[k];
+            areas[at(cloth.triangles[t][k])] += corner_areas[k];
         }
     }
     for (std::size_t v = 0; v < areas.size(); ++v) {

@@ -1,4 +1,4 @@
-#include "adapt/make_refinement.h"
+#include "adapt/adaptive_cloth.h"
 #include "support/adaptive_cloths.h"
 #include "support/mesh_history.h"
 
