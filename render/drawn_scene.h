@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/camera.h"
+#include "render/image.h"
 #include "render/surface.h"
 
 namespace weft {
@@ -19,5 +20,9 @@ struct DrawnScene {
 /// Builds it from a frame. The floor lies under `bounds`, or where a level slab among the obstacles
 /// dwarfs the subject, on top of that slab, which is then not drawn itself.
 DrawnScene build_drawn_scene(const Frame& frame, int quantity, const Box3& bounds, const Vec3& eye);
+
+/// Draws a ring around each place (m) on top of all else, where the camera sees it or would but for
+/// what stands before it; a place behind the camera gets none.
+void draw_problem_marks(Image& image, const Camera& camera, std::span<const Vec3f> places);
 
 } // namespace weft

@@ -1,7 +1,7 @@
 #include "render/painter.h"
 
 #include "base/parallel.h"
-#include "render/gl_objects.h"
+#include "render/gl.h"
 #include "render/osmesa_context.h"
 #include "render/shaders.h"
 

@@ -1,8 +1,8 @@
 #include "render/renderer.h"
 
 #include "base/error.h"
+#include "render/drawn_scene.h"
 #include "render/legend.h"
-#include "render/problem_marks.h"
 
 #include <fmt/core.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/canvas.h"
+#include "render/image.h"
 
 #include <memory>
 #include <string_view>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "adapt/adaptation_hooks.h"
+#include "adapt/sqrt3_mesh.h"
 #include "state/world.h"
 
 #include <span>

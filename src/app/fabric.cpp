@@ -1,7 +1,7 @@
 #include "scene/fabric.h"
 
 #include "app/commands.h"
-#include "scene/nearest_key.h"
+#include "scene/key.h"
 
 #include <CLI/CLI.hpp>
 

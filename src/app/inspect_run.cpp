@@ -4,7 +4,6 @@
 #include "base/error.h"
 #include "frames/csv.h"
 #include "frames/run_folder.h"
-#include "frames/status.h"
 
 #include <algorithm>
 #include <cmath>

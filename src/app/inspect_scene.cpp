@@ -11,7 +11,7 @@
 #include "scene/mesh_sequence.h"
 #include "scene/scene_reader.h"
 #include "state/build_world.h"
-#include "state/world_objects.h"
+#include "state/world.h"
 
 #include <algorithm>
 #include <limits>

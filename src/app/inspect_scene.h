@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/inspect_mesh.h"
-#include "scene/scene.h"
+#include "scene/params.h"
 
 namespace weft {
 

@@ -1,6 +1,6 @@
 #include "app/commands.h"
+#include "scene/key.h"
 #include "scene/key_pages.h"
-#include "scene/nearest_key.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

@@ -2,7 +2,7 @@
 
 #include "base/log.h"
 #include "frames/acceptance.h"
-#include "scene/scene.h"
+#include "scene/params.h"
 
 #include <filesystem>
 #include <string>

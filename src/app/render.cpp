@@ -6,7 +6,6 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "frames/run_folder.h"
-#include "frames/status.h"
 #include "scene/names.h"
 #include "scene/scene_reader.h"
 

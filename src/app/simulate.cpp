@@ -7,7 +7,7 @@
 #include "base/stopwatch.h"
 #include "collide/contact_surface.h"
 #include "frames/acceptance.h"
-#include "frames/status.h"
+#include "frames/run_folder.h"
 #include "scene/scene_writer.h"
 #include "state/build_world.h"
 

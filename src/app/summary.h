@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/params.h"
 #include "state/world.h"
 
 #include <fmt/core.h>

@@ -30,4 +30,11 @@ constexpr std::size_t at(Index i) {
 /// Vertex indices of a triangle, counter-clockwise seen from its outer side.
 using Triangle = std::array<Index, 3>;
 
+/// [a]x: its product with b is the cross product of a and b.
+inline Mat3 cross_matrix(const Vec3& a) {
+    Mat3 m;
+    m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
+    return m;
+}
+
 } // namespace weft

@@ -1,6 +1,6 @@
 #include "collide/contact_report.h"
 
-#include "collide/impact.h"
+#include "collide/impact_zones.h"
 #include "geometry/crossing.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "state/world_objects.h"
+#include "state/world.h"
 
 #include <limits>
 #include <span>

@@ -3,7 +3,7 @@
 #include "base/parallel.h"
 #include "collide/contact.h"
 #include "collide/friction_history.h"
-#include "collide/impact.h"
+#include "collide/impact_zones.h"
 
 #include <optional>
 

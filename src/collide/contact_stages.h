@@ -3,7 +3,6 @@
 #include "collide/contact_search.h"
 #include "collide/contact_solver.h"
 #include "collide/crossings.h"
-#include "collide/impact.h"
 #include "collide/impact_zones.h"
 
 // The stages of contact in one substep, after Bridson et al. 2002, Harmon et al. 2008 and Provot

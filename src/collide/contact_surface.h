@@ -2,7 +2,7 @@
 
 #include "geometry/distance.h"
 #include "state/body.h"
-#include "state/world_objects.h"
+#include "state/world.h"
 
 #include <span>
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "forces/air.h"
-#include "forces/bend_damping.h"
+#include "forces/bending.h"
 #include "forces/constant_bending.h"
-#include "forces/edge_elements.h"
-#include "forces/membrane_elements.h"
+#include "forces/edge_law.h"
+#include "forces/membrane.h"
 #include "forces/stvk_triangle.h"
 
 #include <functional>

@@ -1,6 +1,6 @@
 #include "forces/rigid_elements.h"
 
-#include "base/cross_matrix.h"
+#include "base/eigen.h"
 
 #include <Eigen/Dense>
 

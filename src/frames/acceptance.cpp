@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "frames/statistics_columns.h"
-#include "scene/nearest_key.h"
+#include "scene/key.h"
 
 #include <algorithm>
 #include <charconv>

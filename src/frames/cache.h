@@ -2,8 +2,8 @@
 
 #include "frames/frame.h"
 #include "frames/run_folder.h"
+#include "scene/params.h"
 #include "scene/pose.h"
-#include "scene/scene.h"
 
 #include <map>
 #include <vector>

@@ -2,8 +2,8 @@
 
 #include "frames/frame.h"
 #include "geometry/extent.h"
+#include "scene/params.h"
 #include "scene/pose.h"
-#include "scene/scene.h"
 
 #include <span>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "forces/air.h"
-#include "geometry/mesh_distance.h"
+#include "geometry/mesh_measure.h"
 #include "geometry/triangle_mesh.h"
 #include "state/pin.h"
 

@@ -2,7 +2,7 @@
 
 #include "frames/checkpoint.h"
 #include "frames/run_folder.h"
-#include "scene/scene.h"
+#include "scene/params.h"
 
 #include <functional>
 #include <optional>

@@ -5,7 +5,6 @@
 #include "frames/frame.h"
 #include "frames/run_folder.h"
 #include "frames/statistics.h"
-#include "frames/status.h"
 
 #include <optional>
 

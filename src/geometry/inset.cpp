@@ -1,7 +1,7 @@
 #include "geometry/inset.h"
 
 #include "base/parallel.h"
-#include "geometry/mesh_distance.h"
+#include "geometry/mesh_measure.h"
 #include "geometry/nearest_surface.h"
 
 namespace weft {

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "adapt/obstacle_curvature.h"
+#include "adapt/adaptation_plan.h"
 #include "adapt/sqrt3_mesh.h"
 #include "collide/contact_solver.h"
+#include "state/world.h"
 
 #include <memory>
 #include <vector>
@@ -50,5 +51,10 @@ private:
     std::vector<std::unique_ptr<Sqrt3Mesh>> meshes_; ///< by cloth; null: not adaptive
     std::vector<double> near_curvature_, indicator_;
 };
+
+/// Makes the meshes of all cloths that are to be refined adaptive. The world is the one that the
+/// run starts from, at t = 0; creases of imported shapes and triangles with an attached vertex are
+/// kept.
+void make_adaptive(World& world);
 
 } // namespace weft

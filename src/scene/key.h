@@ -7,7 +7,9 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -164,5 +166,9 @@ Keys operator+(Keys a, const Keys& b);
 
 /// The first value out of its range, as `key = value: must be ...`; "" when all is well.
 std::string problem_of(const Keys& keys);
+
+/// The candidate with the fewest edits (insert, delete, replace, swap of neighbours; case counts
+/// half) to `word`; the earlier one of equals; "" for no candidates.
+std::string nearest_key(std::string_view word, std::span<const std::string> candidates);
 
 } // namespace weft

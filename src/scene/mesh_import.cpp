@@ -1,8 +1,8 @@
 #include "scene/mesh_import.h"
 
 #include "base/error.h"
+#include "scene/key.h"
 #include "scene/mesh_assembly.h"
-#include "scene/nearest_key.h"
 
 #include <algorithm>
 

@@ -3,6 +3,7 @@
 #include "base/eigen.h"
 
 #include <array>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -304,6 +305,20 @@ struct RenderParams {
     int supersample = 2; ///< per axis, on top of 4 samples a pixel; 1..4
     bool enabled = true; ///< false: a simulation writes no pictures
     bool operator==(const RenderParams&) const = default;
+};
+
+/// A scene as the user wrote it, with defaults filled in and fabrics looked up; checked, nothing
+/// loaded.
+struct Scene {
+    std::filesystem::path base_dir; ///< what relative paths in it are relative to
+    SceneParams scene;
+    ContactParams contact;
+    std::vector<ClothParams> cloths;
+    std::vector<SolidParams> solids;
+    std::vector<RigidParams> rigids;
+    std::vector<ObstacleParams> obstacles;
+    std::vector<AttachParams> attachments;
+    RenderParams render;
 };
 
 } // namespace weft

@@ -1,7 +1,7 @@
 #include "scene/parse_toml.h"
 
 #include "base/error.h"
-#include "scene/nearest_key.h"
+#include "scene/key.h"
 
 #include <algorithm>
 #include <charconv>

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "scene/names.h"
 #include "scene/scene_reader.h"
-#include "scene/toml_writer.h"
+#include "scene/scene_writer.h"
 
 #include <algorithm>
 #include <charconv>

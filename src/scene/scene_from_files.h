@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/params.h"
 
 #include <span>
 #include <string>

@@ -1,7 +1,7 @@
 #include "scene/scene_reader.h"
 
 #include "base/atomic_file.h"
-#include "scene/nearest_key.h"
+#include "scene/key.h"
 #include "scene/parse_toml.h"
 #include "scene/read_objects.h"
 #include "scene/toml_keys.h"

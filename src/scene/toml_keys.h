@@ -1,8 +1,8 @@
 #pragma once
 
 #include "scene/key.h"
+#include "scene/scene_writer.h"
 #include "scene/toml_table.h"
-#include "scene/toml_writer.h"
 
 #include <functional>
 #include <optional>

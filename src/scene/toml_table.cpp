@@ -1,7 +1,7 @@
 #include "scene/toml_table.h"
 
 #include "base/error.h"
-#include "scene/nearest_key.h"
+#include "scene/key.h"
 #include "scene/scene_reader.h"
 
 #include <toml++/toml.h>

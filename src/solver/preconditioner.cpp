@@ -1,6 +1,6 @@
 #include "solver/preconditioner.h"
 
-#include "base/cross_matrix.h"
+#include "base/eigen.h"
 #include "base/parallel.h"
 
 #include <algorithm>

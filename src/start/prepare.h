@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/params.h"
 #include "step/prepared.h"
 
 #include "start/start_overlap.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "collide/crossings.h"
-#include "scene/scene.h"
+#include "scene/params.h"
 
 #include <functional>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/params.h"
 #include "state/import_objects.h"
 #include "state/world.h"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scene/object_kind.h"
 #include "state/attachment.h"
 #include "state/body.h"
 #include "state/cloth.h"
@@ -7,6 +8,7 @@
 #include "state/obstacle.h"
 #include "state/pin.h"
 
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -86,5 +88,22 @@ double kinetic_energy(const World& world);
 
 /// FNV-1a of time, positions, velocities and history: equal for equal states.
 std::uint64_t state_hash(const World& world);
+
+/// Which object of a world.
+struct ObjectId {
+    ObjectKind kind = ObjectKind::Cloth;
+    Index index = 0; ///< of World::cloths, solids, rigids or obstacles
+
+    bool is_obstacle() const { return kind == ObjectKind::Obstacle; } ///< else it moves by forces
+    auto operator<=>(const ObjectId&) const = default;
+};
+
+/// All objects of a world in their order.
+std::vector<ObjectId> objects_of(const World& world);
+
+const std::string& object_name(const World& world, ObjectId object);
+
+/// Positions (m, at the world's time) and triangles of one object.
+TriangleMesh object_mesh(const World& world, ObjectId object);
 
 } // namespace weft

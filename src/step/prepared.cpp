@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "remesh/make_adaptive.h"
+#include "remesh/adapt_world.h"
 
 namespace weft {
 

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "validation/experiment_world.h"
 #include "validation/experiments.h"
-#include "validation/motion.h"
 
 /// A strip that hangs, or is clamped, and swings out of its plane: its period on a mesh that is
 /// refined and coarsened as it bends, against that on a mesh as fine all over.

@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "validation/experiment_world.h"
 #include "validation/experiments.h"
-#include "validation/sheet_world.h"
 #include "validation/statics.h"
 
 /// Loads at which a flat strip, clamped at one end and loaded in its own plane, leaves the plane:

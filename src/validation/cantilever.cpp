@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "validation/experiment_world.h"
 #include "validation/experiments.h"
-#include "validation/sheet_world.h"
 #include "validation/statics.h"
 
 /// The heavy elastica: a strip clamped horizontally at one end that bends under its own weight.

@@ -5,8 +5,8 @@
 #include <limits>
 #include <random>
 
+#include "validation/experiment_world.h"
 #include "validation/experiments.h"
-#include "validation/motion.h"
 
 namespace weft {
 

@@ -1,7 +1,6 @@
 #include "forces/constant_bending.h"
-#include "forces/membrane_elements.h"
+#include "forces/membrane.h"
 #include "geometry/shapes.h"
-#include "geometry/sheet.h"
 #include "scene/pose.h"
 
 #include <fmt/core.h>
@@ -10,8 +9,8 @@
 #include <limits>
 
 #include "validation/contact_scene.h"
+#include "validation/experiment_world.h"
 #include "validation/experiments.h"
-#include "validation/motion.h"
 
 namespace weft {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "validation/sheet_world.h"
+#include "validation/experiment_world.h"
 
 /// Worlds of the contact experiments: sheets and obstacles put together in code, then moved by the
 /// same substeps as a simulation's.

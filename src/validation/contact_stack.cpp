@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "validation/contact_scene.h"
+#include "validation/experiment_world.h"
 #include "validation/experiments.h"
-#include "validation/motion.h"
 
 /// Ten sheets let fall on a floor from a small height, each turned against the next.
 namespace weft {

@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "validation/experiment_world.h"
 #include "validation/experiments.h"
-#include "validation/sheet_world.h"
 #include "validation/statics.h"
 
 /// Cook's membrane: a tapered panel (0,0) (48,44) (48,60) (0,44), clamped on the left, a unit shear

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "validation/experiment_world.h"
 #include "validation/experiments.h"
-#include "validation/sheet_world.h"
 #include "validation/statics.h"
 
 namespace weft {

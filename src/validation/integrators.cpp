@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
+#include "validation/experiment_world.h"
 #include "validation/experiments.h"
-#include "validation/motion.h"
 
 namespace weft {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "validation/experiment_world.h"
 #include "validation/experiments.h"
-#include "validation/sheet_world.h"
 #include "validation/statics.h"
 
 /// Why triangles and not springs: the same tensile test on three patterns of mesh. The triangles

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "validation/sheet_world.h"
+#include "validation/experiment_world.h"
 
 namespace weft {
 

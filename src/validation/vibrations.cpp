@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "validation/experiment_world.h"
 #include "validation/experiments.h"
-#include "validation/motion.h"
 
 namespace weft {
 

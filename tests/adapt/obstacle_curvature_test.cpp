@@ -1,4 +1,4 @@
-#include "adapt/obstacle_curvature.h"
+#include "adapt/adaptation_plan.h"
 #include "state/deformation.h"
 #include "support/objects.h"
 

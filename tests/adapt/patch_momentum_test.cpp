@@ -1,4 +1,4 @@
-#include "adapt/patch_momentum.h"
+#include "adapt/state_transfer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "adapt/renumber_world.h"
+#include "adapt/change_log.h"
 #include "support/adapting_world.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 #include "app/inspect_run.h"
 #include "app/inspect_scene.h"
 #include "frames/run_folder.h"
-#include "frames/status.h"
 #include "support/paths.h"
 #include "support/temp_folder.h"
 #include "support/text_file.h"

@@ -1,7 +1,6 @@
 #include "base/atomic_file.h"
 #include "frames/csv.h"
 #include "frames/run_folder.h"
-#include "frames/status.h"
 #include "support/paths.h"
 #include "support/process.h"
 #include "support/temp_folder.h"

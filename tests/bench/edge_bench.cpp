@@ -1,6 +1,6 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "geometry/sheet.h"
+#include "geometry/shapes.h"
 #include "state/edge_network.h"
 #include "step/force_system.h"
 
@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "solver/conjugate_gradient.h"
-#include "validation/sheet_world.h"
+#include "validation/experiment_world.h"
 
 /// What a step costs by the model of the cloth: forces and Jacobian, their assembly into the
 /// matrix, and a solve of the same few iterations, on the same triangles (edges are those of the

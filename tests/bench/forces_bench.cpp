@@ -1,8 +1,8 @@
 #include "base/parallel.h"
 #include "forces/air.h"
-#include "forces/bend_damping.h"
+#include "forces/bending.h"
 #include "forces/constant_bending.h"
-#include "forces/membrane_elements.h"
+#include "forces/membrane.h"
 #include "support/sheets.h"
 
 #include <benchmark/benchmark.h>

@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "remesh/make_adaptive.h"
+#include "remesh/adapt_world.h"
 
 namespace weft {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "solver/conjugate_gradient.h"
-#include "validation/sheet_world.h"
+#include "validation/experiment_world.h"
 
 /// Figure 3 of Vogiannou et al. 2010: a lattice held at two opposite edges sags under its weight,
 /// then the edges are moved apart until it has twice its rest area. Steps are those of the paper,

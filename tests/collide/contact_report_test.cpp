@@ -1,5 +1,5 @@
 #include "collide/contact_report.h"
-#include "collide/impact.h"
+#include "collide/impact_zones.h"
 #include "support/contact_world.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "forces/bend_damping.h"
+#include "forces/bending.h"
 #include "support/derivatives.h"
 #include "support/sheets.h"
 

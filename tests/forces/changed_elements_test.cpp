@@ -1,7 +1,7 @@
 #include "forces/air.h"
-#include "forces/bend_damping.h"
+#include "forces/bending.h"
 #include "forces/constant_bending.h"
-#include "forces/membrane_elements.h"
+#include "forces/membrane.h"
 #include "support/changing_sheet.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
 #include "forces/membrane.h"
-#include "forces/membrane_elements.h"
 #include "support/derivatives.h"
 #include "support/sheets.h"
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "remesh/make_adaptive.h"
+#include "remesh/adapt_world.h"
 
 namespace weft {
 namespace {

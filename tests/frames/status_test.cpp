@@ -1,6 +1,6 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "frames/status.h"
+#include "frames/run_folder.h"
 #include "support/temp_folder.h"
 
 #include <gtest/gtest.h>

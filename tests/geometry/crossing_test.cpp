@@ -1,6 +1,5 @@
 #include "geometry/crossing.h"
 #include "geometry/distance.h"
-#include "geometry/predicates.h"
 
 #include <gtest/gtest.h>
 

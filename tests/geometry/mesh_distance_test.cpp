@@ -1,4 +1,4 @@
-#include "geometry/mesh_distance.h"
+#include "geometry/mesh_measure.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "forces/membrane_elements.h"
+#include "forces/membrane.h"
 #include "support/adapting_world.h"
 #include "support/surface_energy.h"
 
@@ -6,7 +6,7 @@
 
 #include <map>
 
-#include "remesh/changed_patches.h"
+#include "remesh/relax_after_remesh.h"
 
 namespace weft {
 

@@ -1,4 +1,4 @@
-#include "render/problem_marks.h"
+#include "render/drawn_scene.h"
 #include "render/renderer.h"
 #include "support/picture_frames.h"
 

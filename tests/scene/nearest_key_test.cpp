@@ -1,4 +1,4 @@
-#include "scene/nearest_key.h"
+#include "scene/key.h"
 
 #include <gtest/gtest.h>
 

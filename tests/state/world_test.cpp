@@ -1,5 +1,4 @@
 #include "geometry/shapes.h"
-#include "geometry/sheet.h"
 #include "state/build_world.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/sheet.h"
+#include "geometry/shapes.h"
 #include "state/cloth.h"
 
 #include <functional>

@@ -10,8 +10,7 @@
 #include <numeric>
 
 #include "remesh/adapt_world.h"
-#include "remesh/make_adaptive.h"
-#include "validation/motion.h"
+#include "validation/experiment_world.h"
 
 namespace weft {
 

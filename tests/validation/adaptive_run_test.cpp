@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "validation/motion.h"
+#include "validation/experiment_world.h"
 
 namespace weft {
 

@@ -6,8 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "validation/motion.h"
-#include "validation/sheet_world.h"
+#include "validation/experiment_world.h"
 #include "validation/statics.h"
 #include "validation/table.h"
 
