@@ -42,8 +42,7 @@ struct AdaptationPlan {
 /// Plans to refine the triangles whose indicator exceeds the cloth's tolerance (1, or more at its
 /// budget of triangles) and to remove the vertices around which all indicators are below
 /// k_coarsen_fraction of it, no sooner than k_dwell adaptations after the vertex came. Triangles
-/// stay wider than k_least_width contact
-/// thicknesses: finer ones would fold within the thickness.
+/// stay wider than k_least_width contact thicknesses: finer ones would fold within the thickness.
 ///
 /// @param indicator  #T, of find_refinement_indicator
 AdaptationPlan plan_adaptation(const Cloth& cloth, std::span<const double> indicator);

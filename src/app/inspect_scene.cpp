@@ -10,6 +10,7 @@
 #include "scene/law_shape.h"
 #include "scene/mesh_sequence.h"
 #include "scene/scene_reader.h"
+#include "start/start_overlap.h"
 #include "state/build_world.h"
 #include "state/world.h"
 
@@ -17,8 +18,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-
-#include "start/start_overlap.h"
 
 namespace weft {
 

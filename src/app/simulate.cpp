@@ -9,13 +9,12 @@
 #include "frames/acceptance.h"
 #include "frames/run_folder.h"
 #include "scene/scene_writer.h"
+#include "start/prepare.h"
 #include "state/build_world.h"
 
 #include <CLI/CLI.hpp>
 
 #include <memory>
-
-#include "start/prepare.h"
 
 namespace weft {
 

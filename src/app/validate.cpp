@@ -1,15 +1,14 @@
 #include "app/commands.h"
 #include "base/atomic_file.h"
 #include "base/parallel.h"
+#include "validation/experiments.h"
+#include "validation/table.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <filesystem>
 #include <memory>
-
-#include "validation/experiments.h"
-#include "validation/table.h"
 
 namespace weft {
 

@@ -4,12 +4,11 @@
 #include "adapt/adaptive_cloth.h"
 #include "adapt/state_transfer.h"
 #include "geometry/curvature.h"
+#include "remesh/relax_after_remesh.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "remesh/relax_after_remesh.h"
 
 namespace weft {
 

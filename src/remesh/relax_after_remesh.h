@@ -1,12 +1,11 @@
 #pragma once
 
+#include "remesh/vertex_energy.h"
 #include "state/cloth.h"
 #include "state/refinement.h"
 
 #include <span>
 #include <vector>
-
-#include "remesh/vertex_energy.h"
 
 namespace weft {
 

@@ -293,7 +293,7 @@ struct CameraParams {
 /// `[render]`.
 struct RenderParams {
     std::array<int, 2> size{1280, 720}; ///< pixels
-    std::string quantity = "stretch";   ///< see frames/frame.h, k_quantities
+    std::string quantity = "stretch";   ///< see scene/quantities.h
     std::string map = "coolwarm";
     bool has_range = false;
     Vec2 range{0.9, 1.2}; ///< in the quantity's unit

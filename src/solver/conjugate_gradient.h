@@ -1,8 +1,8 @@
 #pragma once
 
-#include <functional>
-
 #include "solver/block_matrix.h"
+
+#include <functional>
 
 namespace weft {
 

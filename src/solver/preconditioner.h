@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Eigen/Cholesky>
-
 #include "solver/block_matrix.h"
+
+#include <Eigen/Cholesky>
 
 /// The preconditioner of the conjugate gradients has two levels: a local factor, and a coarse space
 /// that carries what must reach far.

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "solver/assembly_layout.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
-
-#include "solver/assembly_layout.h"
 
 namespace weft {
 

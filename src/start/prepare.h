@@ -1,9 +1,8 @@
 #pragma once
 
 #include "scene/params.h"
-#include "step/prepared.h"
-
 #include "start/start_overlap.h"
+#include "step/prepared.h"
 
 /// The one way from a scene to a simulation: build the world, take it out of overlaps, make its
 /// cloths adaptive.

@@ -6,6 +6,7 @@
 #include "collide/contact_solver.h"
 #include "collide/crossings.h"
 #include "collide/friction_history.h"
+#include "remesh/adapt_world.h"
 #include "state/attachment.h"
 #include "step/constrained_vertices.h"
 #include "step/implicit_step.h"
@@ -13,8 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "remesh/adapt_world.h"
 
 namespace weft {
 

@@ -2,9 +2,8 @@
 
 #include "collide/contact.h"
 #include "collide/friction.h"
-#include "state/world.h"
-
 #include "solver/block_matrix.h"
+#include "state/world.h"
 
 namespace weft {
 

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "step/contact_forces.h"
-
 #include "solver/conjugate_gradient.h"
 #include "solver/preconditioner.h"
+#include "step/contact_forces.h"
 
 namespace weft {
 

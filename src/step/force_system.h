@@ -1,11 +1,10 @@
 #pragma once
 
 #include "forces/attachment_elements.h"
+#include "solver/assembler.h"
 #include "state/world.h"
 
 #include <memory>
-
-#include "solver/assembler.h"
 
 namespace weft {
 

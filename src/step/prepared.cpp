@@ -1,8 +1,8 @@
 #include "step/prepared.h"
 
-#include <cassert>
-
 #include "remesh/adapt_world.h"
+
+#include <cassert>
 
 namespace weft {
 

@@ -1,15 +1,14 @@
 #include "adapt/rest_split.h"
 #include "state/build_world.h"
 #include "step/advance.h"
+#include "validation/experiment_world.h"
+#include "validation/experiments.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "validation/experiment_world.h"
-#include "validation/experiments.h"
 
 /// A strip that hangs, or is clamped, and swings out of its plane: its period on a mesh that is
 /// refined and coarsened as it bends, against that on a mesh as fine all over.

@@ -1,15 +1,14 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "validation/experiment_world.h"
+#include "validation/experiments.h"
+#include "validation/statics.h"
 
 #include <Eigen/Eigenvalues>
 #include <fmt/core.h>
 
 #include <array>
 #include <cmath>
-
-#include "validation/experiment_world.h"
-#include "validation/experiments.h"
-#include "validation/statics.h"
 
 /// Loads at which a flat strip, clamped at one end and loaded in its own plane, leaves the plane:
 /// K_b z = -lambda K_g z, with the bending stiffness K_b of the sheet without load and K_g its

@@ -1,15 +1,14 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "validation/experiment_world.h"
+#include "validation/experiments.h"
+#include "validation/statics.h"
 
 #include <fmt/core.h>
 
 #include <array>
 #include <cmath>
 #include <numbers>
-
-#include "validation/experiment_world.h"
-#include "validation/experiments.h"
-#include "validation/statics.h"
 
 /// The heavy elastica: a strip clamped horizontally at one end that bends under its own weight.
 /// Gamma = rho g L^3 / D says how heavy it is for its rigidity; H/W is drop over reach of the tip.

@@ -1,12 +1,11 @@
 #include "step/advance.h"
+#include "validation/experiment_world.h"
+#include "validation/experiments.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
-
-#include "validation/experiment_world.h"
-#include "validation/experiments.h"
 
 namespace weft {
 

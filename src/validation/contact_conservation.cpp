@@ -2,15 +2,14 @@
 #include "forces/membrane.h"
 #include "geometry/shapes.h"
 #include "scene/pose.h"
+#include "validation/contact_scene.h"
+#include "validation/experiment_world.h"
+#include "validation/experiments.h"
 
 #include <fmt/core.h>
 
 #include <array>
 #include <limits>
-
-#include "validation/contact_scene.h"
-#include "validation/experiment_world.h"
-#include "validation/experiments.h"
 
 namespace weft {
 

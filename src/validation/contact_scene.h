@@ -1,11 +1,10 @@
 #pragma once
 
 #include "step/advance.h"
+#include "validation/experiment_world.h"
 
 #include <numbers>
 #include <string>
-
-#include "validation/experiment_world.h"
 
 /// Worlds of the contact experiments: sheets and obstacles put together in code, then moved by the
 /// same substeps as a simulation's.

@@ -1,15 +1,14 @@
 #include "geometry/shapes.h"
 #include "scene/pose.h"
+#include "validation/contact_scene.h"
+#include "validation/experiment_world.h"
+#include "validation/experiments.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-
-#include "validation/contact_scene.h"
-#include "validation/experiment_world.h"
-#include "validation/experiments.h"
 
 /// Ten sheets let fall on a floor from a small height, each turned against the next.
 namespace weft {

@@ -1,11 +1,11 @@
+#include "validation/experiment_world.h"
+#include "validation/experiments.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "validation/experiment_world.h"
-#include "validation/experiments.h"
 
 namespace weft {
 

@@ -1,10 +1,10 @@
-#include <fmt/core.h>
-
-#include <array>
-
 #include "validation/experiment_world.h"
 #include "validation/experiments.h"
 #include "validation/statics.h"
+
+#include <fmt/core.h>
+
+#include <array>
 
 /// Cook's membrane: a tapered panel (0,0) (48,44) (48,60) (0,44), clamped on the left, a unit shear
 /// on the right edge; E = 1, nu = 1/3, linear. Its table checks every entry of the stiffness.

@@ -1,13 +1,12 @@
 #include "scene/law_shape.h"
 #include "state/build_world.h"
+#include "validation/experiment_world.h"
+#include "validation/experiments.h"
+#include "validation/statics.h"
 
 #include <fmt/core.h>
 
 #include <cmath>
-
-#include "validation/experiment_world.h"
-#include "validation/experiments.h"
-#include "validation/statics.h"
 
 namespace weft {
 

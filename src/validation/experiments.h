@@ -1,11 +1,11 @@
 #pragma once
 
+#include "validation/table.h"
+
 #include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
-
-#include "validation/table.h"
 
 /// The experiments of `weft validate`: each builds its world in code, moves or settles it with the
 /// same forces and integrators as a simulation, and compares with the mechanics of the textbook.

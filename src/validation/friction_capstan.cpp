@@ -1,14 +1,13 @@
 #include "forces/membrane.h"
 #include "geometry/shapes.h"
+#include "validation/contact_scene.h"
+#include "validation/experiment_world.h"
+#include "validation/experiments.h"
 
 #include <fmt/core.h>
 
 #include <cmath>
 #include <limits>
-
-#include "validation/contact_scene.h"
-#include "validation/experiment_world.h"
-#include "validation/experiments.h"
 
 /// A strip laid half around a cylinder and drawn over it slowly: Euler and Eytelwein's law, the
 /// tensions of its two ends differ by exp(mu pi) when all of it slips.

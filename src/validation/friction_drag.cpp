@@ -1,11 +1,10 @@
 #include "geometry/shapes.h"
+#include "validation/contact_scene.h"
+#include "validation/experiments.h"
 
 #include <fmt/core.h>
 
 #include <cmath>
-
-#include "validation/contact_scene.h"
-#include "validation/experiments.h"
 
 /// Bodies that carry cloth along by friction alone.
 namespace weft {

@@ -1,11 +1,10 @@
 #include "geometry/shapes.h"
+#include "validation/contact_scene.h"
+#include "validation/experiments.h"
 
 #include <fmt/core.h>
 
 #include <cmath>
-
-#include "validation/contact_scene.h"
-#include "validation/experiments.h"
 
 /// A small sheet on an incline, and on another sheet that is held there: Coulomb's law for any
 /// substep and mesh. Gravity is turned instead of the incline.

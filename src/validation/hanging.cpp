@@ -1,10 +1,10 @@
-#include <fmt/core.h>
-
-#include <cmath>
-
 #include "validation/experiment_world.h"
 #include "validation/experiments.h"
 #include "validation/statics.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
 
 namespace weft {
 

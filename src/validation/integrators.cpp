@@ -1,3 +1,6 @@
+#include "validation/experiment_world.h"
+#include "validation/experiments.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -5,9 +8,6 @@
 #include <complex>
 #include <numbers>
 #include <random>
-
-#include "validation/experiment_world.h"
-#include "validation/experiments.h"
 
 namespace weft {
 

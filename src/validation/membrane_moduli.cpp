@@ -1,11 +1,11 @@
+#include "validation/experiment_world.h"
+#include "validation/experiments.h"
+#include "validation/statics.h"
+
 #include <fmt/core.h>
 
 #include <cmath>
 #include <numbers>
-
-#include "validation/experiment_world.h"
-#include "validation/experiments.h"
-#include "validation/statics.h"
 
 namespace weft {
 

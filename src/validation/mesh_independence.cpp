@@ -1,13 +1,13 @@
+#include "validation/experiment_world.h"
+#include "validation/experiments.h"
+#include "validation/statics.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
-
-#include "validation/experiment_world.h"
-#include "validation/experiments.h"
-#include "validation/statics.h"
 
 /// Why triangles and not springs: the same tensile test on three patterns of mesh. The triangles
 /// return the modulus that they were given; a net of equal springs returns one of its own for each

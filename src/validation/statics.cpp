@@ -3,12 +3,11 @@
 #include "base/error.h"
 #include "base/line_search.h"
 #include "step/force_system.h"
+#include "validation/experiment_world.h"
 
 #include <Eigen/SparseCholesky>
 
 #include <cmath>
-
-#include "validation/experiment_world.h"
 
 namespace weft {
 

@@ -1,10 +1,10 @@
+#include "validation/experiment_world.h"
+#include "validation/experiments.h"
+
 #include <fmt/core.h>
 
 #include <cmath>
 #include <numbers>
-
-#include "validation/experiment_world.h"
-#include "validation/experiments.h"
 
 namespace weft {
 

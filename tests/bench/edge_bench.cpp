@@ -1,16 +1,15 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "geometry/shapes.h"
+#include "solver/conjugate_gradient.h"
 #include "state/edge_network.h"
 #include "step/force_system.h"
+#include "validation/experiment_world.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "solver/conjugate_gradient.h"
-#include "validation/experiment_world.h"
 
 /// What a step costs by the model of the cloth: forces and Jacobian, their assembly into the
 /// matrix, and a solve of the same few iterations, on the same triangles (edges are those of the

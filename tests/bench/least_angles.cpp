@@ -3,6 +3,7 @@
 /// frame of a run goes below (least_angle_deg in stats.csv).
 
 #include "adapt/rest_split.h"
+#include "remesh/adapt_world.h"
 #include "scene/scene_reader.h"
 #include "state/build_world.h"
 
@@ -10,8 +11,6 @@
 
 #include <cstdio>
 #include <numbers>
-
-#include "remesh/adapt_world.h"
 
 namespace weft {
 

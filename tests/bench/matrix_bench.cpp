@@ -1,6 +1,8 @@
 #include "adapt/sqrt3_mesh.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "solver/conjugate_gradient.h"
+#include "solver/preconditioner.h"
 #include "step/force_system.h"
 #include "support/adaptive_cloths.h"
 #include "support/changing_sheet.h"
@@ -9,9 +11,6 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
-
-#include "solver/conjugate_gradient.h"
-#include "solver/preconditioner.h"
 
 /// What it costs to bring forces and matrix to a mesh of which one triangle in a hundred has
 /// changed (of edits all over, edits in one part, a band of refinement that moves), beside making

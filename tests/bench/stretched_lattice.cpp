@@ -1,13 +1,12 @@
 #include "base/parallel.h"
+#include "solver/conjugate_gradient.h"
 #include "state/edge_network.h"
 #include "step/force_system.h"
+#include "validation/experiment_world.h"
 
 #include <fmt/core.h>
 
 #include <cmath>
-
-#include "solver/conjugate_gradient.h"
-#include "validation/experiment_world.h"
 
 /// Figure 3 of Vogiannou et al. 2010: a lattice held at two opposite edges sags under its weight,
 /// then the edges are moved apart until it has twice its rest area. Steps are those of the paper,

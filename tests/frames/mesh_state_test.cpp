@@ -1,11 +1,10 @@
 #include "frames/mesh_state.h"
+#include "remesh/adapt_world.h"
 #include "state/build_world.h"
 #include "support/adapting_world.h"
 #include "support/grid_world.h"
 
 #include <gtest/gtest.h>
-
-#include "remesh/adapt_world.h"
 
 namespace weft {
 namespace {

@@ -1,12 +1,11 @@
 #include "forces/membrane.h"
+#include "remesh/relax_after_remesh.h"
 #include "support/adapting_world.h"
 #include "support/surface_energy.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
-
-#include "remesh/relax_after_remesh.h"
 
 namespace weft {
 

@@ -1,9 +1,8 @@
+#include "remesh/relax_after_remesh.h"
 #include "support/adapting_world.h"
 #include "support/surface_energy.h"
 
 #include <gtest/gtest.h>
-
-#include "remesh/relax_after_remesh.h"
 
 namespace weft {
 

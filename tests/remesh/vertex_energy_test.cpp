@@ -1,10 +1,9 @@
 #include "forces/cloth_forces.h"
+#include "remesh/vertex_energy.h"
 #include "support/adapting_world.h"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
-
-#include "remesh/vertex_energy.h"
 
 namespace weft {
 

@@ -1,8 +1,8 @@
+#include "solver/assembler.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
-
-#include "solver/assembler.h"
 
 namespace weft {
 

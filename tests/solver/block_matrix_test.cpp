@@ -1,12 +1,12 @@
+#include "solver/block_matrix.h"
+#include "solver/conjugate_gradient.h"
+#include "solver/preconditioner.h"
+
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <random>
-
-#include "solver/block_matrix.h"
-#include "solver/conjugate_gradient.h"
-#include "solver/preconditioner.h"
 
 namespace weft {
 

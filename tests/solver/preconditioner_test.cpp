@@ -1,10 +1,10 @@
+#include "solver/conjugate_gradient.h"
+#include "solver/preconditioner.h"
+
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <random>
-
-#include "solver/conjugate_gradient.h"
-#include "solver/preconditioner.h"
 
 namespace weft {
 

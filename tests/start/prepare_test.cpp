@@ -1,8 +1,7 @@
+#include "start/prepare.h"
 #include "support/worlds.h"
 
 #include <gtest/gtest.h>
-
-#include "start/prepare.h"
 
 namespace weft {
 

@@ -1,10 +1,9 @@
 #include "base/error.h"
+#include "start/start_overlap.h"
 #include "support/contact_world.h"
 #include "support/worlds.h"
 
 #include <gtest/gtest.h>
-
-#include "start/start_overlap.h"
 
 namespace weft {
 

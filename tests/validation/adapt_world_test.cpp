@@ -1,6 +1,8 @@
+#include "remesh/adapt_world.h"
 #include "step/constrained_vertices.h"
 #include "step/implicit_step.h"
 #include "support/worlds.h"
+#include "validation/experiment_world.h"
 
 #include <Eigen/SVD>
 #include <gtest/gtest.h>
@@ -8,9 +10,6 @@
 #include <algorithm>
 #include <numbers>
 #include <numeric>
-
-#include "remesh/adapt_world.h"
-#include "validation/experiment_world.h"
 
 namespace weft {
 

@@ -4,10 +4,9 @@
 #include "frames/checkpoint.h"
 #include "step/advance.h"
 #include "support/worlds.h"
+#include "validation/experiment_world.h"
 
 #include <gtest/gtest.h>
-
-#include "validation/experiment_world.h"
 
 namespace weft {
 

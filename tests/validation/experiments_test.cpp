@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "validation/experiments.h"
+
+#include <gtest/gtest.h>
 
 namespace weft {
 

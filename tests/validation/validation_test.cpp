@@ -1,14 +1,13 @@
 #include "frames/csv.h"
+#include "validation/experiment_world.h"
+#include "validation/statics.h"
+#include "validation/table.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
-
-#include "validation/experiment_world.h"
-#include "validation/statics.h"
-#include "validation/table.h"
 
 namespace weft {
 
