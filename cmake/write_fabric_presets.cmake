@@ -7,7 +7,7 @@ foreach(file IN LISTS files)
     file(READ "${file}" text)
     string(APPEND entries "    {\"${name}\", R\"TOML(${text})TOML\"},\n")
 endforeach()
-file(WRITE "${OUT}" "#include \"scene/fabric_presets.h\"
+file(WRITE "${OUT}" "#include \"scene/fabric.h\"
 
 namespace weft {
 namespace {

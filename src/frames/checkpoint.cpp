@@ -2,7 +2,7 @@
 
 #include "base/hash.h"
 #include "frames/mesh_state.h"
-#include "state/deformation.h"
+#include "state/obstacle.h"
 
 #include <fmt/core.h>
 #include <zstd.h>

@@ -1,7 +1,6 @@
 #include "scene/fabric.h"
 
 #include "base/atomic_file.h"
-#include "scene/fabric_presets.h"
 #include "scene/parse_toml.h"
 #include "scene/read_objects.h"
 

@@ -3,6 +3,7 @@
 #include "scene/params.h"
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,5 +28,15 @@ const Fabric* find_fabric(std::string_view name);
 /// A user's own fabric file: the keys of `[cloth.fabric]` at top level, and `description`. Its name
 /// is the key `name`, or the file's stem. Throws Error: Disk, or BadInput with line and column.
 FabricParams read_fabric_file(const std::filesystem::path& file);
+
+/// One file of assets/fabrics, as text.
+struct FabricPresetText {
+    std::string_view name; ///< stem of the file
+    std::string_view toml;
+};
+
+/// All of them by name. The build writes the definition from the files (cmake/WeftFabrics.cmake),
+/// so that the program needs none of them where it runs.
+std::span<const FabricPresetText> fabric_preset_texts();
 
 } // namespace weft

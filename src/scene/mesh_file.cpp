@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "geometry/triangulate.h"
 #include "scene/format_checks.h"
-#include "scene/rig_import.h"
+#include "scene/rig.h"
 
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>

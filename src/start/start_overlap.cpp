@@ -4,7 +4,7 @@
 #include "collide/crossings.h"
 #include "collide/untangle.h"
 #include "geometry/inset.h"
-#include "state/deformation.h"
+#include "state/obstacle.h"
 #include "state/pin.h"
 #include "step/advance.h"
 

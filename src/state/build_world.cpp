@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "scene/pose.h"
-#include "state/deformation.h"
+#include "state/obstacle.h"
 #include "state/pin.h"
 
 #include <algorithm>

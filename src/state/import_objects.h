@@ -2,7 +2,7 @@
 
 #include "geometry/shapes.h"
 #include "scene/mesh_import.h"
-#include "state/deformation.h"
+#include "state/obstacle.h"
 
 #include <filesystem>
 #include <functional>

@@ -1,5 +1,5 @@
 #include "adapt/adaptation_plan.h"
-#include "state/deformation.h"
+#include "state/obstacle.h"
 #include "support/objects.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "collide/broad_phase.h"
-#include "state/deformation.h"
+#include "state/obstacle.h"
 #include "support/contact_world.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "state/deformation.h"
+#include "state/obstacle.h"
 #include "state/pin.h"
 #include "support/objects.h"
 

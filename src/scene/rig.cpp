@@ -1,4 +1,4 @@
-#include "scene/rig_import.h"
+#include "scene/rig.h"
 
 #include <assimp/scene.h>
 #include <fmt/core.h>
