@@ -25,5 +25,5 @@ endfunction()
 # weft_compile_lightly(TARGET): for code that is large and never hot (the command line, the tests'
 # own code), where optimising costs more time than it saves.
 function(weft_compile_lightly TARGET)
-    target_compile_options(${TARGET} PRIVATE $<IF:$<CONFIG:Debug>,-O0,-O1>)
+    target_compile_options(${TARGET} PRIVATE -O1)
 endfunction()

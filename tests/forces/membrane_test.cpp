@@ -2,7 +2,6 @@
 #include "support/derivatives.h"
 #include "support/sheets.h"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -159,9 +158,8 @@ TEST(Membrane, ProjectedStiffnessIsPositiveSemidefinite) {
         const ElementTerms<3> terms =
             membrane_terms(x, v, k_rest, membrane_stiffness(k_orthotropic), 0.01, {1.0, 100.0});
 
-        const VecX eigenvalues =
-            Eigen::SelfAdjointEigenSolver<MatX>(assembled<3>(terms.stiffness)).eigenvalues();
-        EXPECT_GT(eigenvalues.minCoeff(), -1e-12 * eigenvalues.maxCoeff());
+        const VecX values = eigenvalues(assembled<3>(terms.stiffness));
+        EXPECT_GT(values.minCoeff(), -1e-12 * values.maxCoeff());
     }
 }
 

@@ -12,32 +12,13 @@ using VecX = Eigen::VectorXd;
 using MatX = Eigen::MatrixXd;
 
 /// Central differences of a scalar function with the step `delta` in each coordinate.
-inline VecX numerical_gradient(const std::function<double(const VecX&)>& f, VecX x, double delta) {
-    VecX gradient(x.size());
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-        const double at = x(i);
-        x(i) = at + delta;
-        const double above = f(x);
-        x(i) = at - delta;
-        gradient(i) = (above - f(x)) / (2.0 * delta);
-        x(i) = at;
-    }
-    return gradient;
-}
+VecX numerical_gradient(const std::function<double(const VecX&)>& f, VecX x, double delta);
 
 /// Central differences of a vector function; column i is the derivative by x_i.
-inline MatX numerical_jacobian(const std::function<VecX(const VecX&)>& f, VecX x, double delta) {
-    MatX jacobian(f(x).size(), x.size());
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-        const double at = x(i);
-        x(i) = at + delta;
-        const VecX above = f(x);
-        x(i) = at - delta;
-        jacobian.col(i) = (above - f(x)) / (2.0 * delta);
-        x(i) = at;
-    }
-    return jacobian;
-}
+MatX numerical_jacobian(const std::function<VecX(const VecX&)>& f, VecX x, double delta);
+
+/// Eigenvalues of a symmetric matrix, ascending. It is here so that one file compiles the solver.
+VecX eigenvalues(const MatX& symmetric);
 
 template <int N> VecX flat(const std::array<Vec3, static_cast<std::size_t>(N)>& values) {
     VecX x(3 * N);
