@@ -1,7 +1,7 @@
 #include "render/drawn_scene.h"
 
 #include "render/ambient_occlusion.h"
-#include "render/image.h"
+#include "render/canvas.h"
 
 #include <algorithm>
 #include <cassert>

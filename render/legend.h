@@ -1,8 +1,8 @@
 #pragma once
 
 #include "frames/frame.h"
+#include "render/canvas.h"
 #include "render/colour_map.h"
-#include "render/image.h"
 
 #include <array>
 #include <string>

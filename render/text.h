@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/image.h"
+#include "render/canvas.h"
 
 #include <memory>
 #include <string_view>

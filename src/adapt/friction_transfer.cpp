@@ -12,7 +12,7 @@ bool comes_before(const FrictionHistory& a, const FrictionHistory& b) {
 }
 
 /// First vertices of all objects that touch, ascending.
-std::vector<Index> objects_of(const World& world) {
+std::vector<Index> first_vertices_of_objects(const World& world) {
     std::vector<Index> first;
     for (const Cloth& cloth : world.cloths) {
         first.push_back(cloth.first_vertex);
@@ -30,7 +30,7 @@ std::vector<Index> objects_of(const World& world) {
 
 FrictionTransfer::FrictionTransfer(World& world, Index first, std::span<const char> is_changed)
     : first_(first), old_count_(static_cast<Index>(is_changed.size())),
-      objects_(objects_of(world)) {
+      objects_(first_vertices_of_objects(world)) {
     assert(std::is_sorted(objects_.begin(), objects_.end()));
     const auto is_own = [&](Index v) { return v >= first_ && v < first_ + old_count_; };
     const auto changes = [&](Index v) { return is_own(v) && is_changed[at(v - first_)] != 0; };
