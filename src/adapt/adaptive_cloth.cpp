@@ -74,7 +74,7 @@ std::string sizes_problem(const Cloth& cloth) {
     return "";
 }
 
-bool are_same(MeshEdge a, const MeshEdge& b) {
+bool is_same_edge(MeshEdge a, const MeshEdge& b) {
     if (a.v != b.v) {
         std::swap(a.v[0], a.v[1]);
         std::swap(a.triangle[0], a.triangle[1]);
@@ -98,7 +98,7 @@ std::string edges_problem(const Cloth& cloth) {
     for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
             const Index e = cloth.topology.triangle_edges[t][k];
-            if (!are_same(cloth.topology.edges[at(e)],
+            if (!is_same_edge(cloth.topology.edges[at(e)],
                           built.edges[at(built.triangle_edges[t][k])])) {
                 return fmt::format("edge {} of triangle {} at corner {}", e, t, k);
             }

@@ -121,14 +121,14 @@ FrameObject capture_solid(const World& world, const Solid& solid) {
 
 // More of either: slower starts; fewer: pictures that may have to be drawn again.
 constexpr double k_most_times = 64.0;
-constexpr std::size_t k_most_vertices = 2000;
+constexpr std::size_t k_most_reach_vertices = 2000;
 
 /// Far points of all the places that an obstacle takes from t = 0 to `end` (s), in single
 /// precision: what a camera needs to know of its motion beforehand. Sampled in time and over the
 /// vertices.
 std::vector<Vec3f> obstacle_reach(const Obstacle& obstacle, double end, double fps) {
     const double steps = std::clamp(std::round(end * fps), 1.0, k_most_times);
-    const std::size_t stride = obstacle.mesh.positions.size() / k_most_vertices + 1;
+    const std::size_t stride = obstacle.mesh.positions.size() / k_most_reach_vertices + 1;
     std::vector<Vec3> positions(obstacle.mesh.positions.size());
     Extent extent;
     for (double step = 0.0; step <= steps; step += 1.0) {

@@ -10,11 +10,10 @@ namespace weft {
 
 namespace {
 
-constexpr double k_far = std::numeric_limits<double>::infinity();
-constexpr double k_give = 0.25;           // sag of what is not an obstacle over its diagonal
-constexpr std::size_t k_most_rays = 500;  // looks down from a body
-constexpr std::size_t k_most_times = 400; // places of an obstacle on its path
-constexpr int k_places = 8;               // samples on the path of a falling body
+constexpr double k_sag = 0.25;                // sag of what is not an obstacle over its diagonal
+constexpr std::size_t k_most_body_rays = 500; // looks down from a body
+constexpr std::size_t k_most_times = 400;     // places of an obstacle on its path
+constexpr int k_places = 8;                   // samples on the path of a falling body
 
 /// A triangle in axes whose z points down: corners across (x, y) and their depth (z).
 using DownTriangle = std::array<Vec3, 3>;
@@ -36,7 +35,7 @@ double depth_at(const DownTriangle& t, double x, double y) {
 double drop_below(const Frame& first, std::size_t number, const Vec3& down) {
     const FrameObject& body = first.objects[number];
     std::vector<Vec3> from;
-    const std::size_t stride = body.positions.size() / k_most_rays + 1;
+    const std::size_t stride = body.positions.size() / k_most_body_rays + 1;
     for (std::size_t v = 0; v < body.positions.size(); v += stride) {
         from.push_back(body.positions[v].cast<double>());
     }
@@ -47,7 +46,7 @@ double drop_below(const Frame& first, std::size_t number, const Vec3& down) {
         }
         FrameObject below = first.objects[o];
         const bool gives = below.kind != ObjectKind::Obstacle;
-        const double give = gives ? k_give * object_extent(below).box().diagonal().norm() : 0.0;
+        const double give = gives ? k_sag * object_extent(below).box().diagonal().norm() : 0.0;
         below.kind = ObjectKind::Obstacle;
         for (const double fall : drop_distances(from, down, std::span(&below, 1))) {
             drop = std::min(drop, fall + give);

@@ -5,6 +5,7 @@
 #include "scene/params.h"
 #include "scene/pose.h"
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace weft {
 
 // The parts of predict_bounds() that know no cloth: obstacles, solids, rigid bodies, and what lies
 // below a point.
+
+/// A distance where nothing is met.
+inline constexpr double k_far = std::numeric_limits<double>::infinity();
 
 /// Points of one object; empty when it has none. Points that are not finite are left out.
 Extent object_extent(const FrameObject& object);

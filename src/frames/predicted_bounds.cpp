@@ -15,15 +15,14 @@ namespace weft {
 
 namespace {
 
-constexpr double k_far = std::numeric_limits<double>::infinity();
-constexpr double k_give = 1.02;   // hanging cloth is this much longer than its rest shape
-constexpr double k_zigzag = 1.08; // paths along edges are up to this much too long
-constexpr double k_braking = 1.5; // by air on the upswing, fitted to a sheet of 0.15 kg/m^2
-constexpr int k_arc = 6;          // places looked at on that arc
-constexpr double k_lean = 0.25;   // drag of cloth that streams in wind, over a plate's
-constexpr double k_flutter = 0.2; // aside in wind and half down, over the distance to the pin
-constexpr std::size_t k_most_rays = 1000; // looks down from a cloth
-constexpr std::size_t k_few_pins = 8;     // between which cloth hangs as from a line
+constexpr double k_lengthening = 1.02; // hanging cloth is this much longer than its rest shape
+constexpr double k_zigzag = 1.08;      // paths along edges are up to this much too long
+constexpr double k_braking = 1.5;      // by air on the upswing, fitted to a sheet of 0.15 kg/m^2
+constexpr int k_arc = 6;               // places looked at on that arc
+constexpr double k_lean = 0.25;        // drag of cloth that streams in wind, over a plate's
+constexpr double k_flutter = 0.2;      // aside in wind and half down, over the distance to the pin
+constexpr std::size_t k_most_cloth_rays = 1000; // looks down from a cloth
+constexpr std::size_t k_few_pins = 8;           // between which cloth hangs as from a line
 
 /// Mass per area of a cloth, kg/m^2: of its fabric, or of an edge model the mass of the whole
 /// object over its area in the first frame.
@@ -196,7 +195,7 @@ ClothBounds::ClothBounds(const Frame& first, std::size_t number, const Scene& sc
 
 /// A vertex comes no deeper than any other that lands, plus the cloth between them.
 void ClothBounds::find_landing(const Frame& first) {
-    const std::size_t stride = positions_.size() / k_most_rays + 1;
+    const std::size_t stride = positions_.size() / k_most_cloth_rays + 1;
     std::vector<Vec3> from;
     for (std::size_t v = 0; v < positions_.size(); v += stride) {
         from.push_back(positions_[v]);
@@ -216,7 +215,7 @@ void ClothBounds::find_landing(const Frame& first) {
 ClothBounds::Hanging ClothBounds::hanging(std::size_t v) const {
     const Vec3& x = positions_[v];
     const Vec3& pin = positions_[static_cast<std::size_t>(to_pin_.source[v])];
-    const double length = std::max((x - pin).norm(), to_pin_.cost[v] / k_zigzag) * k_give;
+    const double length = std::max((x - pin).norm(), to_pin_.cost[v] / k_zigzag) * k_lengthening;
     Hanging best{pin, length};
     if (pins_.size() > k_few_pins) {
         return best;

@@ -12,7 +12,7 @@ namespace weft {
 
 namespace {
 
-constexpr int k_most_halvings = 10; ///< of alpha in a Newton step
+constexpr int k_most_alpha_halvings = 10; ///< of alpha in a Newton step
 
 bool all_finite(std::span<const Vec3> values) {
     return parallel_reduce(
@@ -320,7 +320,7 @@ double ImplicitStep::eliminate_constrained(const ConstrainedVertices& constraine
 /// which is change . gradient, has fallen far enough from its (negative) start.
 double ImplicitStep::line_search(std::span<const Vec3> from, double slope_start) {
     const double enough = k_slope_fraction * std::abs(slope_start);
-    return backtrack(1.0, k_most_halvings, [&](double alpha) {
+    return backtrack(1.0, k_most_alpha_halvings, [&](double alpha) {
         parallel_for(v_.size(), [&](std::size_t k) { trial_v_[k] = from[k] + alpha * change_[k]; });
         move_to(trial_v_, trial_x_);
         forces_.forces_only(trial_x_, trial_v_, force_);
