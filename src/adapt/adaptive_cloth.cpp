@@ -99,7 +99,7 @@ std::string edges_problem(const Cloth& cloth) {
         for (std::size_t k = 0; k < 3; ++k) {
             const Index e = cloth.topology.triangle_edges[t][k];
             if (!is_same_edge(cloth.topology.edges[at(e)],
-                          built.edges[at(built.triangle_edges[t][k])])) {
+                              built.edges[at(built.triangle_edges[t][k])])) {
                 return fmt::format("edge {} of triangle {} at corner {}", e, t, k);
             }
         }
