@@ -14,7 +14,7 @@ namespace weft {
 namespace {
 
 const Colour k_panel{0.05F, 0.055F, 0.065F};
-constexpr double k_panel_share = 0.50;
+constexpr double k_panel_opacity = 0.50;
 const Colour k_text{0.95F, 0.95F, 0.94F};
 const Colour k_quiet{0.70F, 0.71F, 0.72F};
 
@@ -209,7 +209,7 @@ void draw_legend(Image& image, const LegendContent& content) {
     const LegendLayout layout = lay_out_legend(content, image.width, image.height);
     const double s = layout.scale;
     const ColourScale& scale = content.scale;
-    fill_rounded(image, layout.panel, 7.0 * s, k_panel, k_panel_share);
+    fill_rounded(image, layout.panel, 7.0 * s, k_panel, k_panel_opacity);
 
     fill_rounded(image, layout.above, 0.0, scale.map->above, 1.0);
     fill_rounded(image, layout.below, 0.0, scale.map->below, 1.0);

@@ -94,7 +94,7 @@ private:
     struct Body {
         std::vector<double> curvature; ///< #V of the obstacle, 1/m
         std::vector<Vec3> places;      ///< #V, m, in the obstacle's own frame at `fitted`
-        BoxTree tree;                  ///< of its triangles there
+        BoxTree tree;                  ///< its triangles there
         std::vector<Ridge> ridges;
         BoxTree ridge_tree;
         double fitted = 0.0; ///< s

@@ -36,7 +36,7 @@ FrictionTransfer::FrictionTransfer(World& world, Index first, std::span<const ch
     const auto changes = [&](Index v) { return is_own(v) && is_changed[at(v - first_)] != 0; };
     std::erase_if(world.friction_history, [&](const FrictionHistory& memory) {
         if (is_transfer(memory) &&
-            is_own(memory.pair[0])) { // of an adaptation just before this one
+            is_own(memory.pair[0])) { // the adaptation just before this one left it
             add(world, memory.pair[0], memory.pair[3], memory, 1.0);
             return true;
         }
@@ -63,19 +63,19 @@ void FrictionTransfer::take(const World& world, const FrictionHistory& pair) {
     }
     const Index partner = is_own(front) ? back : front;
     const auto count = std::count_if(pair.pair.begin(), pair.pair.end(), is_own);
-    const double share = (is_own(front) ? 1.0 : -1.0) / static_cast<double>(count);
+    const double weight = (is_own(front) ? 1.0 : -1.0) / static_cast<double>(count);
     for (const Index v : pair.pair) {
         if (is_own(v)) {
-            add(world, v, partner, pair, share);
+            add(world, v, partner, pair, weight);
         }
     }
 }
 
 void FrictionTransfer::add(
-    const World& world, Index vertex, Index partner, const FrictionHistory& pair, double share) {
+    const World& world, Index vertex, Index partner, const FrictionHistory& pair, double weight) {
     const Index object = *(std::upper_bound(objects_.begin(), objects_.end(), partner) - 1);
     transfers_.push_back({transfer_key(vertex - first_, object), pair.rest_gap,
-                          share / world.masses[at(vertex)] * pair.slip, pair.slides});
+                          weight / world.masses[at(vertex)] * pair.slip, pair.slides});
 }
 
 /// Sums those of one vertex and object.
@@ -106,7 +106,7 @@ std::span<const FrictionHistory> FrictionTransfer::of(Index vertex) const {
 void FrictionTransfer::inherit(const VertexParents& place) {
     assert(transfers_.empty() || transfers_.back().pair[0] < place.vertex);
     std::vector<FrictionHistory> own; // one an object: few
-    std::vector<double> weights;      // of the parents that touch it
+    std::vector<double> weights;      // the parents' that touch it
     for (std::size_t k = 0; k < 3 && place.parents[k] != k_no_index; ++k) {
         for (const FrictionHistory& one : of(place.parents[k])) {
             const auto pair = transfer_key(place.vertex, one.pair[3]);

@@ -40,8 +40,11 @@ public:
 
 private:
     void take(const World& world, const FrictionHistory& pair);
-    void
-    add(const World& world, Index vertex, Index partner, const FrictionHistory& pair, double share);
+    void add(const World& world,
+             Index vertex,
+             Index partner,
+             const FrictionHistory& pair,
+             double weight);
     void join_equal();
     std::span<const FrictionHistory> of(Index vertex) const;
 

@@ -13,10 +13,10 @@ inline constexpr double k_reach = 1.25;
 
 /// A pair to look at.
 struct Candidate {
-    std::array<Index, 4> vertices; ///< of ContactSurface; in the order of PairKind
+    std::array<Index, 4> vertices; ///< indices in ContactSurface, in the order of PairKind
     /// VertexFace: the triangle, twice. EdgeEdge: the triangles that speak for the edges.
     std::array<Index, 2> triangles;
-    Index rule; ///< of ContactSurface::rules
+    Index rule; ///< index in ContactSurface::rules
     PairKind kind;
 };
 
@@ -102,15 +102,15 @@ private:
 
     bool self_;
     bool is_any_off_ = false;   ///< whether there are objects that do not touch
-    std::vector<double> reach_; ///< of each object's boxes, m
+    std::vector<double> reach_; ///< margin of each object's boxes, m
     std::vector<double> slack_; ///< how far a vertex of each object may end aside, m
     std::vector<Box> vertex_boxes_, triangle_boxes_;
-    std::vector<std::array<Box, 3>> side_boxes_; ///< of each triangle, opposite to its corners
+    std::vector<std::array<Box, 3>> side_boxes_; ///< by triangle, opposite to its corners
     std::vector<Vec3> seen_velocity_;            ///< #V deformable, at the last find()
     Vec3 frame_velocity_ = Vec3::Zero();         ///< mean of them
     BoxTree deformables_;
     std::vector<BoxTree> obstacles_; ///< one an object of the surface; empty for deformables
-    std::vector<FittedMotion> fitted_motions_; ///< of each object's tree
+    std::vector<FittedMotion> fitted_motions_; ///< by object
     std::vector<char> is_fitted_;              ///< whether that holds
     std::vector<BoxTree::Task> tasks_;
     ChunkLists<Candidate> tasks_found_;

@@ -13,7 +13,7 @@ namespace weft {
 struct Contact {
     std::array<Index, 4> pair; ///< which pair of the contact surface it is
     PairKind kind;
-    std::array<Index, 4> vertices; ///< of World; k_no_index where an obstacle stands
+    std::array<Index, 4> vertices; ///< indices in World; k_no_index where an obstacle stands
     std::array<double, 4> weights; ///< as in Separation
     Vec3 normal;                   ///< unit; the sides part along it
     double gap;                    ///< between the sides along the normal, at the start, m

@@ -24,7 +24,7 @@ enum class PairFault {
 /// Two triangles of a world that cross, or that contact could not keep apart.
 struct UnresolvedPair {
     std::array<ObjectId, 2> objects{};
-    std::array<Index, 2> triangles{}; ///< of these objects
+    std::array<Index, 2> triangles{}; ///< in these objects
     Vec3 place = Vec3::Zero();        ///< where they meet, m
     PairFault fault = PairFault::Crossing;
     double time = 0.0; ///< when it was found: at the end of a substep, s

@@ -7,7 +7,7 @@ namespace weft {
 /// One contact as a condition on velocities: along `normal` the sides must part at least as fast as
 /// `least_speed`; what that takes allows friction.
 struct ContactRow {
-    std::array<Index, 4> vertices; ///< of ContactSurface
+    std::array<Index, 4> vertices; ///< indices in ContactSurface
     std::array<double, 4> weights; ///< as in Separation
     PairKind kind;
     Vec3 normal;                  ///< unit, from side 2 to side 1

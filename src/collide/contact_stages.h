@@ -35,7 +35,8 @@ struct ContactSolver::Impl {
     ImpactZones zones;
 
     std::vector<Candidate> candidates;
-    std::vector<ContactRow> guard_rows, impact_rows; ///< of what the solve carried; of impacts
+    std::vector<ContactRow> guard_rows,
+        impact_rows; ///< rows of what the solve carried; rows of impacts
     std::vector<Impact> impacts;
     std::vector<char> look;            ///< #V of the surface: changed since the last search
     std::vector<Vec3> solved_velocity; ///< #V of the surface: before impulses
@@ -46,7 +47,8 @@ struct ContactSolver::Impl {
     std::vector<Vec3> clean_start, clean_end;
 
     bool clean_motion = false; ///< the surface's motion was searched and meets nothing
-    double seconds_broad = 0.0, seconds_proximity = 0.0, seconds_impact = 0.0; ///< of the substep
+    double seconds_broad = 0.0, seconds_proximity = 0.0,
+           seconds_impact = 0.0; ///< wall time in this substep, s
 
     Impl(const World& world, const ContactParams& contact);
 

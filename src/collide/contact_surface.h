@@ -12,15 +12,15 @@ namespace weft {
 struct ContactObject {
     std::string name;
     ObjectId id;
-    Index first_vertex = 0, vertex_count = 0;     ///< of ContactSurface
-    Index first_triangle = 0, triangle_count = 0; ///< of ContactSurface
+    Index first_vertex = 0, vertex_count = 0;     ///< in ContactSurface
+    Index first_triangle = 0, triangle_count = 0; ///< in ContactSurface
     double thickness =
         0.0; ///< wanted distance to obstacles, m; an obstacle has 0: the other's counts
     double least_thickness = 0.0;    ///< wanted distance to deformables where the mesh is finest, m
     double friction = 0.0;           ///< Coulomb, kinetic
     double static_friction = 0.0;    ///< Coulomb, while it sticks
     Pose start{}, end{};             ///< a rigid obstacle's, over the substep
-    Index body = k_no_index;         ///< of ContactSurface::bodies; none: cloth, obstacle
+    Index body = k_no_index;         ///< in ContactSurface::bodies; none: cloth, obstacle
     bool touches_itself = true;      ///< false: its surface cannot meet itself
     bool deforms = false;            ///< an obstacle that changes its shape
     std::uint64_t motion_number = 0; ///< changes whenever a deforming obstacle moves
@@ -36,7 +36,7 @@ struct PairRule {
 
 /// The particles that carry the vertices of a solid or a rigid body (Body).
 struct ContactBody {
-    Index first_vertex = 0, vertex_count = 0;     ///< of ContactSurface, as of World
+    Index first_vertex = 0, vertex_count = 0;     ///< in ContactSurface, as in World
     Index first_particle = 0, particle_count = 0; ///< likewise
     bool is_rigid = false;
     // only a rigid body has these; as the substep starts:
@@ -53,7 +53,7 @@ struct ContactSurface {
     std::vector<ContactObject> objects;   ///< in the order of objects_of(world)
     std::array<Index, 4> first_of_kind{}; ///< number in `objects` of the first one of each kind
     std::vector<ContactBody> bodies;      ///< solids, then rigid bodies
-    EmbeddingTable embeddings;            ///< of deformable vertices
+    EmbeddingTable embeddings;            ///< the embedding of deformable vertices
     std::vector<PairRule> rules;          ///< #objects x #objects, row by row
     Index deformable_vertices = 0;
     Index deformable_triangles = 0;

@@ -43,7 +43,7 @@ public:
 
 private:
     bool self_;
-    std::vector<Index> adaptations_; ///< of each cloth's mesh, when the surface was made
+    std::vector<Index> adaptations_; ///< by cloth: revision of its mesh when the surface was made
     ContactSurface surface_;
     CrossingSearch search_;
 };

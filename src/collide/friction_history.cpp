@@ -117,7 +117,7 @@ void FrictionRecall::distribute(const ContactSurface& surface, std::span<Contact
     if (!has_transfers_) {
         return;
     }
-    std::vector<double> weight_sum(history_.size(), 0.0); // of each transfer, m
+    std::vector<double> weight_sum(history_.size(), 0.0); // by transfer, m
     for (const Contact& contact : contacts) {
         visit_transfers(surface, history_, contact, [&](std::size_t transfer, double weight) {
             weight_sum[transfer] += std::abs(weight);

@@ -15,8 +15,8 @@ struct Impact {
 
 /// How near pairs may come, by their thickness; the lesser of the two holds.
 struct ImpactLimit {
-    double thickness_fraction; ///< of the pair's thickness, (0, 1)
-    double start_fraction;     ///< of the pair's distance at the start, (0, 1)
+    double thickness_fraction; ///< fraction of the pair's thickness, (0, 1)
+    double start_fraction;     ///< fraction of the pair's distance at the start, (0, 1)
 };
 
 /// Continuous detection over candidates.

@@ -14,7 +14,7 @@ struct UntangleReport {
     std::size_t pairs_before = 0; ///< pairs of triangles that crossed
     std::size_t pairs_after = 0;  ///< pairs that still do
     int rounds = 0;
-    double max_displacement = 0.0; ///< of a vertex, m
+    double max_displacement = 0.0; ///< greatest of all vertices, m
 };
 
 /// Takes cloth that crosses apart by geometry alone: changes world.positions of the cloths, each

@@ -8,7 +8,7 @@ namespace weft {
 
 /// An object that stands and has an outer side: an obstacle, or cloth of a layer below.
 struct StandingBody {
-    Index object;           ///< of the surface
+    Index object;           ///< number in the surface
     double side;            ///< 1: outside is where its triangles' normals point; -1: the other way
     NearestSurface surface; ///< turned so that normals point outside
 };

@@ -153,14 +153,18 @@ MotionStatistics StatisticsCollector::measure_motion(const World& world) const {
     if (mass > 0.0) {
         motion.centre_of_mass /= mass;
     }
-    for (std::size_t i = 0; i < energies_.size(); ++i) {
-        const std::size_t c = world.cloths.size();
-        const auto first = static_cast<std::size_t>(
-            i < c ? world.cloths[i].first_vertex : world.solids[i - c].body.first_particle);
+    auto energies = energies_.begin(); // cloths, then solids
+    const auto add_energies = [&](Index first) {
         const auto [stretching, bending] =
-            energies_[i].measure(std::span(world.positions).subspan(first));
+            (energies++)->measure(std::span(world.positions).subspan(at(first)));
         motion.membrane += stretching;
         motion.bending += bending;
+    };
+    for (const Cloth& cloth : world.cloths) {
+        add_energies(cloth.first_vertex);
+    }
+    for (const Solid& solid : world.solids) {
+        add_energies(solid.body.first_particle);
     }
     return motion;
 }

@@ -20,7 +20,7 @@ struct Type {
 };
 
 struct Property {
-    Type count; ///< of the number before a list; bytes = 0: not a list
+    Type count; ///< type of the number before a list; bytes = 0: not a list
     Type value;
     bool is_corner_list = false;
 };

@@ -15,7 +15,7 @@ struct Expectation {
     std::string file = "stats"; ///< "stats", "images" or "timing"
     std::string column;
     ExpectAt at = ExpectAt::Each;
-    int first_frame = 1; ///< of those looked at
+    int first_frame = 1; ///< the first that is looked at
     int last_frame = std::numeric_limits<int>::max();
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();

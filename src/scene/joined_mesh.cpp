@@ -73,7 +73,7 @@ std::size_t drop_unused_vertices(JoinedMesh& joined) {
 
 void weld_mesh(JoinedMesh& joined, double tolerance, std::span<const Index> groups) {
     std::vector<Vec3>& positions = joined.mesh.positions;
-    std::map<Index, std::vector<Index>> members; // of each group, ascending
+    std::map<Index, std::vector<Index>> members; // by group, ascending
     for (std::size_t v = 0; v < positions.size(); ++v) {
         const auto object = static_cast<std::size_t>(joined.sources[v].object);
         members[groups.empty() ? 0 : groups[object]].push_back(static_cast<Index>(v));

@@ -18,7 +18,7 @@ struct JoinedMesh {
     TriangleMesh mesh;
     std::vector<std::array<Vec2, 3>> corner_uv; ///< empty unless every object has uv
     std::vector<TriangleOrigin> origins;
-    std::vector<SourceVertex> sources; ///< of each vertex: the first in the file that it stands for
+    std::vector<SourceVertex> sources; ///< #V, the first vertex in the file that it stands for
 };
 
 /// Joins the objects `chosen` of a file.

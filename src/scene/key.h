@@ -145,7 +145,7 @@ struct Key {
     std::string name;
     Value value;                ///< holds the default until the key is read
     std::string unit;           ///< empty: none
-    Ranges ranges;              ///< of the value
+    Ranges ranges;              ///< what the value may be
     std::string meaning;        ///< what the value does, for the pages about keys
     std::string note{};         ///< behind the value in a written scene; empty: the unit
     std::string default_text{}; ///< what holds without the key; empty: `value` says it

@@ -88,7 +88,7 @@ const std::vector<Section>& sections() {
     static Defaults d;
     static const std::vector<Section> all = [] {
         std::vector<Section> list{
-            {"[scene]", "Time and surroundings.", keys_of(d.scene)},
+            {"[scene]", "Time, gravity and air.", keys_of(d.scene)},
             {"[contact]", "Contact of all objects.", keys_of(d.contact),
              "What each way to part overlapping garments does is in\n"
              "[running.md](running.md#garments-that-overlap-at-the-start)."},

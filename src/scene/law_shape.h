@@ -22,7 +22,7 @@ struct LawShape {
     bool operator==(const LawShape&) const = default;
 };
 
-/// Of an edge model. Cubic: g' is K1 at stretch a1 and K2 at a2,
+/// The shape of an edge model. Cubic: g' is K1 at stretch a1 and K2 at a2,
 ///
 ///     q = [(K1/K - 1)/d1 - (K2/K - 1)/d2] / (d1 - d2),  p = (K1/K - 1)/d1 - q d1
 ///

@@ -67,7 +67,7 @@ public:
         }
         joined_ = join_objects(file_, chosen_, to_world);
         drop_unused();
-        weld_mesh(joined_, k_weld_share * bounding_diagonal(joined_.mesh.positions),
+        weld_mesh(joined_, k_weld_fraction * bounding_diagonal(joined_.mesh.positions),
                   file_.rig ? motion_groups(*file_.rig) : std::vector<Index>());
         if (source_.repair) {
             repair();

@@ -6,15 +6,15 @@
 
 namespace weft {
 
-/// Vertices closer than this share of the bounding box's diagonal are one vertex. Single precision
-/// rounds at 6e-8 of the size, transforms and text add a little: splits of one vertex lie within
-/// it, while distinct vertices of a 2 m body that are 2 um apart do not occur.
-inline constexpr double k_weld_share = 1e-6;
+/// Vertices closer than this fraction of the bounding box's diagonal are one vertex. Single
+/// precision rounds at 6e-8 of the size, transforms and text add a little: splits of one vertex lie
+/// within it, while distinct vertices of a 2 m body that are 2 um apart do not occur.
+inline constexpr double k_weld_fraction = 1e-6;
 
 /// A mesh on its way from the file into the simulation, with everything that is wrong with it.
 struct MeshAssembly {
     ImportedMesh imported;        ///< welded, converted, repaired and oriented as far as that went
-    MeshDefects defects;          ///< of imported.mesh; after a repair, what is left
+    MeshDefects defects;          ///< what imported.mesh has; after a repair, what is left
     double metres_per_unit = 1.0; ///< what was used
     char up = 'y';                ///< likewise
     std::vector<std::string> refusals;       ///< one line each; empty: fit for an obstacle

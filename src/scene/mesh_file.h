@@ -13,8 +13,8 @@ namespace weft {
 /// One mesh at one node of a file: node transforms applied, polygons triangulated, vertices as
 /// assimp gives them (split along seams and normals), in the file's unit and axes.
 struct FileObject {
-    std::string name;                 ///< of the node; of the mesh or the file when that has none
-    std::string mesh_name;            ///< of the mesh, may be empty
+    std::string name;                 ///< the node's; the mesh's or the file's when that has none
+    std::string mesh_name;            ///< the mesh's, may be empty
     std::vector<std::string> parents; ///< names of the nodes above, from the root; for groups
     std::vector<Vec3> positions;
     std::vector<Triangle> triangles;

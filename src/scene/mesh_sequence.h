@@ -40,7 +40,7 @@ private:
     SequenceFiles files_;
     MeshSource source_;
     std::vector<SourceVertex> vertices_;
-    std::vector<std::size_t> vertex_counts_;             ///< of each object of the first file
+    std::vector<std::size_t> vertex_counts_;             ///< by object of the first file
     std::vector<std::vector<Triangle>> first_triangles_; ///< likewise
 };
 

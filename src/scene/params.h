@@ -19,7 +19,7 @@ inline constexpr double k_earth_gravity = 9.81; ///< m/s^2
 
 enum class Integrator { Euler, Bdf2 };
 
-/// `[scene]`: time, integration, surroundings.
+/// `[scene]`: time, integration, gravity, air.
 struct SceneParams {
     int frames = 100;  ///< written; frame n is t = (n-1)/fps; >= 1
     double fps = 25.0; ///< 1/s, > 0
@@ -65,7 +65,7 @@ struct Placement {
 struct MeshSource {
     std::string file{};                 ///< relative to the scene; empty: none
     std::vector<std::string> objects{}; ///< nodes or meshes inside the file; empty: all
-    double metres_per_unit = 1.0;       ///< of the file; > 0
+    double metres_per_unit = 1.0;       ///< the file's unit; > 0
     bool units_given = false;           ///< false: the file's own unit (FBX) or metres
     char up = 'y';                      ///< 'y' or 'z' in the file
     bool up_given = false;              ///< false: the file's own axes (FBX, ...) or 'y'
@@ -81,7 +81,7 @@ struct FabricParams {
     double shear_stiffness = 400.0;         ///< key `shear`, N/m, > 0
     double poisson = 0.3;                   ///< sqrt(nu12 nu21), [0, 1)
     double bend_stiffness = 1.0e-5;         ///< key `bend`: rigidity, N m, >= 0
-    double thickness = 1.0e-3;              ///< of contact, m, > 0
+    double thickness = 1.0e-3;              ///< contact thickness, m, > 0
     double friction = 0.3;                  ///< Coulomb, kinetic, >= 0
     std::optional<double> static_friction;  ///< >= friction; none: friction
     Vec2 damping{0.0, 0.0};                 ///< Rayleigh: mass 1/s, stiffness s; >= 0
@@ -93,7 +93,7 @@ enum class BendModel { Quadratic, MidEdge };
 
 /// One `[[cloth.pin]]`: which vertices are held, how they move, how long.
 struct PinParams {
-    std::vector<Index> vertices; ///< of the imported mesh, after welding
+    std::vector<Index> vertices; ///< in the imported mesh, after welding
     bool has_box = false;
     Vec3 box_min{0.0, 0.0, 0.0}; ///< m, world, at t = 0
     Vec3 box_max{0.0, 0.0, 0.0};
@@ -114,7 +114,7 @@ struct AdaptParams {
     int levels = 0;            ///< sqrt(3) levels finer than the import; 0: none
     double curvature = 0.15;   ///< mean curvature times triangle size, >= 0
     bool contact = true;       ///< as if curved like the obstacle that comes near
-    double compression = 0.02; ///< of a triangle in its plane, of the whole, [0, 1)
+    double compression = 0.02; ///< of a triangle in its plane, as a fraction, [0, 1)
     double velocity = 0.0;     ///< change of velocity across a triangle, m/s, >= 0
     int max_triangles = 100000;
     bool operator==(const AdaptParams&) const = default;
@@ -145,7 +145,7 @@ struct SpringParams {
     double damping = 0.0;          ///< along the relative velocity of the ends, N s/m, >= 0
     double jacobian_damping = 1.0; ///< factor of b and d in the Jacobian alone, (0, 1]; 1: off
     Vec2 limit{0.0, 0.0};          ///< least and greatest stretch that must hold; zeros: none
-    double mass = 1.0;             ///< of the whole object, kg, > 0
+    double mass = 1.0;             ///< the whole object's, kg, > 0
     bool strict = false;           ///< refuse laws whose stiffness turns negative somewhere
     bool calibrate = false;        ///< K of each edge from the moduli of the fabric instead
     bool operator==(const SpringParams&) const = default;
@@ -224,7 +224,7 @@ struct SolidParams {
     Vec3 velocity{0.0, 0.0, 0.0}; ///< at the start, m/s
     Model model = Model::Cubic;   ///< an edge model
     SpringParams spring;
-    double thickness = 1.0e-3;               ///< of contact, m, > 0
+    double thickness = 1.0e-3;               ///< contact thickness, m, > 0
     double friction = 0.3;                   ///< Coulomb, kinetic, >= 0
     std::optional<double> static_friction{}; ///< >= friction; none: friction
     std::vector<PinParams> pins;             ///< hold particles: box, move, until
@@ -240,9 +240,9 @@ struct RigidParams {
     Vec3 size{1.0, 1.0, 1.0}; ///< box: edge lengths, m, > 0
     double mass = 1.0;        ///< kg, > 0; of uniform density
     Placement placement;
-    Vec3 velocity{0.0, 0.0, 0.0};            ///< of the centre of mass at the start, m/s
+    Vec3 velocity{0.0, 0.0, 0.0};            ///< the centre of mass has it at the start, m/s
     Vec3 spin_deg{0.0, 0.0, 0.0};            ///< angular velocity at the start, degrees/s
-    double thickness = 1.0e-3;               ///< of contact, m, > 0
+    double thickness = 1.0e-3;               ///< contact thickness, m, > 0
     double friction = 0.3;                   ///< Coulomb, kinetic, >= 0
     std::optional<double> static_friction{}; ///< >= friction; none: friction
     bool operator==(const RigidParams&) const = default;
@@ -250,7 +250,7 @@ struct RigidParams {
 
 /// A vertex by its index, or, without one, the nearest to a place at t = 0.
 struct VertexChoice {
-    Index vertex = k_no_index; ///< of the imported mesh, after welding
+    Index vertex = k_no_index; ///< in the imported mesh, after welding
     Vec3 place{0.0, 0.0, 0.0}; ///< m, world
     bool operator==(const VertexChoice&) const = default;
 };

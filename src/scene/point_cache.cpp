@@ -188,7 +188,7 @@ match(const std::vector<Vec3>& points, const std::vector<Vec3>& vertices, const 
     std::vector<Vec3> all = points;
     all.insert(all.end(), vertices.begin(), vertices.end());
     // Twice the tolerance of import: a vertex may stand at another of the points joined in it.
-    const Weld weld = weld_vertices(all, 2.0 * k_weld_share * bounding_diagonal(all));
+    const Weld weld = weld_vertices(all, 2.0 * k_weld_fraction * bounding_diagonal(all));
     std::vector<Index> first(weld.positions.size(), k_no_index);
     for (std::size_t i = 0; i < points.size(); ++i) {
         Index& of_place = first[static_cast<std::size_t>(weld.new_index[i])];

@@ -19,8 +19,8 @@ struct PointCache {
     std::filesystem::path file;
     std::string name; ///< in messages
     std::size_t points = 0, samples = 0;
-    std::vector<double> times;    ///< of the samples, s, ascending; PC2: from the rate asked for
-    std::uint64_t first_byte = 0; ///< of the samples
+    std::vector<double> times; ///< when each sample is, s, ascending; PC2: from the rate asked for
+    std::uint64_t first_byte = 0; ///< where the samples begin in the file
     bool is_big_endian = false;
 };
 

@@ -60,7 +60,7 @@ struct Bone {
 };
 
 struct Influence {
-    Index bone;    ///< of the part
+    Index bone;    ///< index in the part
     double weight; ///< those of a vertex sum to 1
 };
 
@@ -70,7 +70,7 @@ struct RigPart {
     std::vector<Vec3> positions; ///< in the mesh's own frame
     std::vector<MorphTarget> targets;
     std::vector<Bone> bones; ///< the last is the part's node, for vertices that no bone holds
-    std::vector<Index> influence_begin; ///< of vertex v: [v] to [v + 1]; empty without bones
+    std::vector<Index> influence_begin; ///< vertex v has [v] to [v + 1]; empty without bones
     std::vector<Influence> influences;
 };
 

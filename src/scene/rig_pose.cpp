@@ -12,7 +12,7 @@ namespace {
 /// The keys before and behind a time, and how far it is between them, in [0, 1].
 struct Between {
     std::size_t before, behind;
-    double share;
+    double weight;
 };
 
 Between find_between(const std::vector<double>& times, double t) {

@@ -14,8 +14,8 @@ struct SceneFiles {
     std::vector<std::filesystem::path> obstacles;
     std::string fabric = "cotton"; ///< preset or .toml file
     std::vector<std::string> pins; ///< SPEC or SPEC@OBSTACLE, see write_pin_spec
-    std::string units;             ///< of every file: m, cm, mm, in or a number; empty: the files'
-    std::string up;                ///< of every file: y or z; empty: the files'
+    std::string units; ///< every file's: m, cm, mm, in or a number; empty: as each file says
+    std::string up;    ///< every file's: y or z; empty: as each file says
 };
 
 /// A pin as `weft simulate --pin` takes it, as the lines of a `[[cloth.pin]]`: `corners`, `top`,

@@ -42,11 +42,11 @@ void VertexFrames::positions_at(double t, const Mat3& to_world, std::span<Vec3> 
     const Frame b = frame(last);
     assert(a->size() == positions.size() && b->size() == positions.size());
     const double span = times_[last] - times_[first];
-    const double share = span > 0.0 ? (time - times_[first]) / span : 0.0;
+    const double weight = span > 0.0 ? (time - times_[first]) / span : 0.0;
     parallel_for(positions.size(), [&](std::size_t i) {
         const Vec3 from = (*a)[i].cast<double>();
         const Vec3 to = (*b)[i].cast<double>();
-        positions[i] = to_world * (from + share * (to - from));
+        positions[i] = to_world * (from + weight * (to - from));
     });
 }
 

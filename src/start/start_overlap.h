@@ -11,8 +11,8 @@ namespace weft {
 
 /// What curing an overlap at the start took.
 struct StartOverlapReport {
-    std::size_t pairs_before = 0;  ///< of crossing triangles
-    int rounds = 0;                ///< of untangling
+    std::size_t pairs_before = 0;  ///< triangles that cross
+    int rounds = 0;                ///< rounds of untangling
     double max_displacement = 0.0; ///< that a vertex of cloth was moved, m
     double deepest_inset = 0.0;    ///< by which an obstacle's vertex started shrunken, m
     int preroll_substeps = 0;      ///< simulated while obstacles grew

@@ -12,7 +12,7 @@ namespace weft {
 struct FrictionHistory {
     std::array<Index, 4> pair; ///< vertices of the contact surface
     double rest_gap;           ///< the pair pushes only while its gap is smaller, m
-    Vec3 slip;                 ///< of its friction spring, m
+    Vec3 slip;                 ///< displacement of its friction spring, m
     std::int64_t slides;       ///< 1 above the limit of friction, else 0; wide: no padding
 };
 static_assert(sizeof(FrictionHistory) == 56, "is hashed and stored as bytes");

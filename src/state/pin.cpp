@@ -171,7 +171,7 @@ struct Joint {
     std::string name;                ///< for messages
     std::span<const Index> vertices; ///< World vertices that are degrees of freedom
     Index rigid;                     ///< index into World::rigids
-    double stiffness;                ///< of the joined object, N/m
+    double stiffness;                ///< the joined object's, N/m
     double until = k_forever;        ///< s
 };
 

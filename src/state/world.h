@@ -92,7 +92,7 @@ std::uint64_t state_hash(const World& world);
 /// Which object of a world.
 struct ObjectId {
     ObjectKind kind = ObjectKind::Cloth;
-    Index index = 0; ///< of World::cloths, solids, rigids or obstacles
+    Index index = 0; ///< in World::cloths, solids, rigids or obstacles
 
     bool is_obstacle() const { return kind == ObjectKind::Obstacle; } ///< else it moves by forces
     auto operator<=>(const ObjectId&) const = default;

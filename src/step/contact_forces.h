@@ -85,7 +85,7 @@ private:
 
     /// Weight of a vertex that is solved for in a contact.
     struct Term {
-        Index vertex; ///< of World
+        Index vertex; ///< index in World
         double weight;
     };
 

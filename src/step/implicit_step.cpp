@@ -12,7 +12,7 @@ namespace weft {
 
 namespace {
 
-constexpr int k_most_alpha_halvings = 10; ///< of alpha in a Newton step
+constexpr int k_most_alpha_halvings = 10; ///< halvings of alpha in a Newton step
 
 bool all_finite(std::span<const Vec3> values) {
     return parallel_reduce(

@@ -23,7 +23,7 @@ World sheet_world(const Sheet& sheet,
                   const ClothParams& params,
                   const std::function<Vec3(const Vec2&)>& place = {});
 
-/// Surroundings without air and gravity, and a solve to round-off.
+/// A scene without air and gravity, and a solve to round-off.
 SceneParams empty_space();
 
 /// A fabric without bending stiffness that is equally stiff in all directions.

@@ -10,13 +10,13 @@ namespace weft {
 /// One line of the validation table: what theory says, what the program gives.
 struct ValidationRow {
     std::string what; ///< the case in words; no commas
-    std::string unit; ///< of theory and measured; empty: a ratio
+    std::string unit; ///< unit of theory and measured; empty: a ratio
     double theory = 0.0;
     double measured = 0.0;
     double tolerance = 0.0;   ///< the greatest error allowed, >= 0
-    bool relative = true;     ///< error as a share of |theory|; false: in `unit`
+    bool relative = true;     ///< error as a fraction of |theory|; false: in `unit`
     std::string note{};       ///< mesh, source, what else a reader needs; no commas
-    double seconds = 0.0;     ///< wall time; 0: a share of the experiment's
+    double seconds = 0.0;     ///< wall time; 0: part of the experiment's
     std::string experiment{}; ///< filled in by run_experiments
 };
 
