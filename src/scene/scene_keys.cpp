@@ -24,6 +24,17 @@ Keys keys_of(CameraParams& p) {
     };
 }
 
+/// "what the colour shows: stretch (principal stretch), ..., speed (speed, m/s)"
+std::string quantities_meaning() {
+    std::string text;
+    for (const Quantity& q : k_quantities) {
+        const bool is_ratio = q.unit == "1";
+        text += fmt::format("{}{} ({}{}{})", text.empty() ? "what the colour shows: " : ", ",
+                            q.name, q.title, is_ratio ? "" : ", ", is_ratio ? "" : q.unit);
+    }
+    return text;
+}
+
 } // namespace
 
 Keys keys_of(SceneParams& p) {
@@ -92,9 +103,7 @@ Keys keys_of(RenderParams& p) {
     const Range above_first = more_than(p.range[0], fmt::format("> range[0], {}", p.range[0]));
     return {
         {"size", &p.size, "pixels", "16 to 8192", "width and height of a picture"},
-        {"quantity", word_of(p.quantity, k_quantity_names), "", "",
-         "what the colour shows: stretch (1 = rest), strains (%), shear (degrees), stress (N/m), "
-         "curvature (1/m), speed (m/s), level of refinement"},
+        {"quantity", word_of(p.quantity, k_quantity_names), "", "", quantities_meaning()},
         {"map", word_of(p.map, k_map_names), "", "", "the colour map; \"seed\" is green to red"},
         Key{"range", &p.range, "", std::vector{any_number(), above_first},
             "ends of the colour scale in the quantity's unit, fixed over the run; values outside "
