@@ -78,12 +78,12 @@ std::vector<TrianglePair> CrossingSearch::find(const ContactSurface& surface,
 }
 
 WorldCrossings::WorldCrossings(const World& world, bool self)
-    : self_(self), adaptations_(adaptations_of(world)),
+    : self_(self), mesh_revisions_(mesh_revisions(world)),
       surface_(make_surface(world, {.self = self})),
       search_(surface_, self || !surface_.bodies.empty()) {}
 
 std::vector<UnresolvedPair> WorldCrossings::find(const World& world, double time) {
-    if (adaptations_ != adaptations_of(world)) {
+    if (mesh_revisions_ != mesh_revisions(world)) {
         *this = WorldCrossings(world, self_);
     }
     std::copy(world.positions.begin(), world.positions.end(), surface_.start.begin());

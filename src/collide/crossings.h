@@ -43,7 +43,7 @@ public:
 
 private:
     bool self_;
-    std::vector<Index> adaptations_; ///< by cloth: revision of its mesh when the surface was made
+    std::vector<Index> mesh_revisions_; ///< those that the surface was made of
     ContactSurface surface_;
     CrossingSearch search_;
 };

@@ -125,10 +125,10 @@ StatisticsCollector::StatisticsCollector(const World& world, const SceneParams& 
 }
 
 void StatisticsCollector::remesh(const World& world) {
-    if (!energies_.empty() && adaptations_ == adaptations_of(world)) {
+    if (!energies_.empty() && mesh_revisions_ == mesh_revisions(world)) {
         return;
     }
-    adaptations_ = adaptations_of(world);
+    mesh_revisions_ = mesh_revisions(world);
     energies_.clear();
     for (const Cloth& cloth : world.cloths) {
         energies_.emplace_back(cloth);

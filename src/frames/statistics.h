@@ -63,7 +63,7 @@ private:
 
     Vec3 gravity_;
     double fps_;
-    std::vector<Index> adaptations_; ///< adaptations_of() the world that energies_ were made for
+    std::vector<Index> mesh_revisions_; ///< those that energies_ were made of
     std::vector<ElasticEnergy> energies_;
 };
 

@@ -174,12 +174,12 @@ void extend_history(World& world) {
     extend(world.previous_velocities, world.velocities);
 }
 
-std::vector<Index> adaptations_of(const World& world) {
-    std::vector<Index> adaptations;
+std::vector<Index> mesh_revisions(const World& world) {
+    std::vector<Index> revisions;
     for (const Cloth& cloth : world.cloths) {
-        adaptations.push_back(cloth.refinement.adaptations);
+        revisions.push_back(cloth.refinement.adaptations);
     }
-    return adaptations;
+    return revisions;
 }
 
 std::string check(const World& world) {

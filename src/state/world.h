@@ -70,8 +70,9 @@ void interpolate_embedded(const World& world, std::span<Vec3> values);
 /// Extends previous_positions and previous_velocities to vertices that were appended at t = 0.
 void extend_history(World& world);
 
-/// How often the mesh of each cloth has been adapted; where a number differs the mesh may, too.
-std::vector<Index> adaptations_of(const World& world);
+/// The revision of each cloth's mesh: how often it has been adapted. Where a revision differs the
+/// mesh may, too.
+std::vector<Index> mesh_revisions(const World& world);
 
 /// The first fault in a world (sizes, indices, values that are not finite), or "".
 std::string check(const World& world);

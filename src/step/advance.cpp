@@ -105,7 +105,7 @@ struct Stepper::Impl {
         : scene(start.scene()), implicit(std::in_place, start.world(), scene),
           solver(start.world(), start.contact()), adaptation(start.world(), scene.gravity),
           start_positions(start.world()), contact_params(start.contact()),
-          adaptations(adaptations_of(start.world())) {}
+          revisions(mesh_revisions(start.world())) {}
 
     bool substep(World& world, double dt, bool accept_unresolved, FrameReport& report);
     void find_average_velocities(const World& world, double dt);
@@ -124,7 +124,7 @@ struct Stepper::Impl {
     StartPositions start_positions;
     std::optional<WorldCrossings> crossings; ///< made when asked for
     ContactParams contact_params;
-    std::vector<Index> adaptations; ///< revision of each cloth's mesh that the solvers follow
+    std::vector<Index> revisions; ///< revision of each cloth's mesh that the solvers follow
     std::vector<ClothChanges> changes;
     ConstrainedVertices constrained;
     std::vector<Contact> contacts, met;
@@ -175,7 +175,7 @@ bool Stepper::Impl::substep(World& world, double dt, bool accept_unresolved, Fra
 void Stepper::Impl::adapt(World& world, double time, FrameReport& report) {
     const ScopedTime watch(report.seconds.adapt);
     const AdaptationReport done = adaptation.adapt(world, time, solver, changes);
-    adaptations = adaptations_of(world);
+    revisions = mesh_revisions(world);
     report.refined += done.refined;
     report.coarsened += done.coarsened;
     report.adaptation_energy += done.energy;
@@ -193,10 +193,10 @@ void Stepper::Impl::adapt(World& world, double time, FrameReport& report) {
 
 /// Follows a world whose mesh others have changed: it was resumed, or taken back to a frame.
 void Stepper::Impl::remesh(const World& world) {
-    if (adaptations == adaptations_of(world)) {
+    if (revisions == mesh_revisions(world)) {
         return;
     }
-    adaptations = adaptations_of(world);
+    revisions = mesh_revisions(world);
     implicit.emplace(world, scene);
     solver.remesh(world, start_positions.of(world));
     adaptation.remesh(world);
