@@ -8,7 +8,7 @@ namespace weft {
 
 namespace {
 
-/// Share of the thickness that may be drawn in from one side: opposite sides must not meet.
+/// Fraction of the thickness that may be drawn in from one side: opposite sides must not meet.
 constexpr double k_thickness_fraction = 0.45;
 
 /// Most by which the limit may change along the surface, m/m. Larger: steps in the drawn-in
